@@ -10,7 +10,7 @@ mod fits;
 mod throws;
 
 pub use editor::{Format, Lsp};
-pub use fits::{Bootstrap, Diagnose, Fit, FitInputs};
+pub use fits::{Bootstrap, Diagnose, Fit, FitInputs, TableFormat};
 pub use throws::{Design, Stability, Sweep, ThrowOptions};
 
 /// Declare how a body flies, once; get checked, fast, verified code, and fit it to measured flights.
@@ -134,14 +134,12 @@ pub enum Command {
     Man(Man),
 }
 
-/// Arguments of `hyzer completions`.
 #[derive(Args)]
 pub struct Completions {
     /// Shell that reads the script
     pub shell: clap_complete::Shell,
 }
 
-/// Arguments of `hyzer man`.
 #[derive(Args)]
 pub struct Man {
     /// Folder to write the pages to, created if missing; other files in it stay
@@ -149,7 +147,6 @@ pub struct Man {
     pub out: PathBuf,
 }
 
-/// Arguments of `hyzer check`.
 #[derive(Args)]
 pub struct Check {
     /// Models: names or paths
@@ -160,7 +157,6 @@ pub struct Check {
     pub with: Vec<String>,
 }
 
-/// Arguments of `hyzer generate`.
 #[derive(Args)]
 pub struct Generate {
     /// Models: names or paths; without any, generate the models of the repository into its crates/generated
@@ -186,7 +182,6 @@ pub struct Generate {
     pub root: Option<PathBuf>,
 }
 
-/// Arguments of `hyzer export`.
 #[derive(Args)]
 pub struct Export {
     /// Model: a name or a path
@@ -224,7 +219,6 @@ fn figure_kind(name: &str) -> Result<FigureKind, String> {
     kind.available().map_err(|error| error.to_string())
 }
 
-/// Arguments of `hyzer verify`.
 #[derive(Args)]
 pub struct Verify {
     /// Models: names or paths; by default all built-in ones
@@ -258,7 +252,6 @@ pub struct Verify {
     pub check: Option<PathBuf>,
 }
 
-/// Arguments of `hyzer diff`.
 #[derive(Args)]
 pub struct Diff {
     /// Model before the change: a name or a path
@@ -276,7 +269,6 @@ pub struct Diff {
     pub json: bool,
 }
 
-/// Arguments of `hyzer explain`.
 #[derive(Args)]
 pub struct Explain {
     /// Model: a name or a path
@@ -303,7 +295,6 @@ pub enum Notation {
     Latex,
 }
 
-/// Arguments of `hyzer simulate`.
 #[derive(Args)]
 pub struct Simulate {
     /// Model: a name or a path; by default that of the release
@@ -347,7 +338,6 @@ pub struct Simulate {
     pub list: bool,
 }
 
-/// Arguments of `hyzer synthesize`.
 #[derive(Args)]
 pub struct Synthesize {
     /// Model: a name or a path; by default that of the release
@@ -410,7 +400,6 @@ pub struct Synthesize {
     pub out: PathBuf,
 }
 
-/// Arguments of `hyzer import`.
 #[derive(Args)]
 pub struct Import {
     /// Recordings: motion-capture files of a laboratory, or with --launch-monitor the table of the shots
@@ -464,7 +453,6 @@ pub struct Import {
     pub out: PathBuf,
 }
 
-/// Arguments of `hyzer effects`.
 #[derive(Args)]
 pub struct Effects {
     /// List only the effects that apply to this model: a name or a path

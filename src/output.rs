@@ -8,6 +8,7 @@ use anyhow::Context;
 use flight::files::{ResultFile, ResultFolder, write_atomic};
 use report::FigureKind;
 
+use crate::cli::TableFormat;
 use crate::progress;
 
 /// Writes `contents` to `path` atomically; creates missing parent folders.
@@ -21,19 +22,19 @@ pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
     progress::writing(whole).with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// Folder of results, and the kinds of figures besides SVG.
+/// Folder of results, the kinds of figures besides SVG, and whether every CSV table is written as Parquet too.
 pub struct Results<'a> {
     folder: ResultFolder,
     path: &'a Path,
     kinds: &'a [FigureKind],
-    /// Whether every CSV table is written as Parquet too.
-    pub as_parquet: bool,
+    as_parquet: bool,
 }
 
 /// Opens the folder of the option `--out`, so that an unusable one is an error before any work is done.
 pub fn results<'a>(
     out: Option<&'a Path>,
     kinds: &'a [FigureKind],
+    tables: &[TableFormat],
 ) -> anyhow::Result<Option<Results<'a>>> {
     let open = |path| {
         let folder = ResultFolder::open(path).context("--out")?;
@@ -41,7 +42,7 @@ pub fn results<'a>(
             folder,
             path,
             kinds,
-            as_parquet: false,
+            as_parquet: !tables.is_empty(),
         })
     };
     out.map(open).transpose()
@@ -102,7 +103,7 @@ fn parquet(table: &ResultFile) -> anyhow::Result<ResultFile> {
 pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     let holds_files = std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_some());
     if !holds_files {
-        results(Some(path), &[])?;
+        results(Some(path), &[], &[])?;
     }
     Ok(())
 }

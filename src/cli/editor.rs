@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-/// Arguments of `hyzer lsp`.
 #[derive(Args)]
 pub struct Lsp {
     /// Serve on standard input and output, as without the option; editors add it
@@ -12,7 +11,6 @@ pub struct Lsp {
     pub stdio: bool,
 }
 
-/// Arguments of `hyzer format`.
 #[derive(Args)]
 pub struct Format {
     /// Files of models and effects; `-` is standard input, whose formatted text is printed

@@ -33,7 +33,6 @@ pub struct FitInputs {
     pub threads: Option<usize>,
 }
 
-/// Arguments of `hyzer bootstrap`.
 #[derive(Args)]
 pub struct Bootstrap {
     #[command(flatten)]
@@ -63,7 +62,6 @@ pub enum TableFormat {
     Parquet,
 }
 
-/// Arguments of `hyzer fit`.
 #[derive(Args)]
 pub struct Fit {
     #[command(flatten)]
@@ -89,7 +87,6 @@ pub struct Fit {
     pub out: Option<PathBuf>,
 }
 
-/// Arguments of `hyzer diagnose`.
 #[derive(Args)]
 pub struct Diagnose {
     #[command(flatten)]

@@ -60,7 +60,6 @@ impl ThrowOptions {
     }
 }
 
-/// Arguments of `hyzer design`.
 #[derive(Args)]
 pub struct Design {
     /// Goal: the purpose of the throw
@@ -111,7 +110,6 @@ pub struct Design {
     pub out: Option<PathBuf>,
 }
 
-/// Arguments of `hyzer stability`.
 #[derive(Args)]
 pub struct Stability {
     /// Model: a name or a path
@@ -147,7 +145,6 @@ pub struct Stability {
     pub out: Option<PathBuf>,
 }
 
-/// Arguments of `hyzer sweep`.
 #[derive(Args)]
 pub struct Sweep {
     /// Plan: a TOML file, or `backhands`, the built-in one

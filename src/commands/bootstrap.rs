@@ -13,7 +13,7 @@ use model_spec::model::Model;
 use report::CsvTable;
 use serde_json::{Value, json};
 
-use super::fit::Inputs;
+use super::fit::{Inputs, reliable};
 use crate::cli::Bootstrap;
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
@@ -28,7 +28,7 @@ const MIN_FLIGHTS: usize = 5;
 /// Runs `hyzer bootstrap`. `Answer::No` if all refits are done and the fit to the original flights is not reliable.
 pub(super) fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let share = options.part.as_deref().map(super::share).transpose()?;
-    let inputs = Inputs::read(&options.inputs, None, &[])?;
+    let inputs = Inputs::read(&options.inputs, None)?;
     let (dataset, model) = (&inputs.dataset, &inputs.model);
     let asked = FitOptions {
         unbounded: options.unbounded,
@@ -89,11 +89,7 @@ pub struct Parts<'a> {
     pub progress: &'a (dyn Fn(u64) + Sync),
 }
 
-/// Does the refits of a share and keeps them in the folder; without a share, joins all and returns their summary, or that of an
-/// earlier run.
-///
-/// # Errors
-/// If the folder belongs to other work or cannot be written, or a fit fails.
+/// Refits a share, kept in the folder; without a share, joins all and returns their summary, or an earlier one.
 pub fn in_parts(
     asked: &Parts<'_>,
     fit: impl FnOnce() -> anyhow::Result<Fit>,
@@ -128,9 +124,6 @@ pub fn in_parts(
 }
 
 /// Refuses a fit to too few flights, fewer than five.
-///
-/// # Errors
-/// If there are too few.
 pub fn enough(fit: &Fit) -> anyhow::Result<()> {
     let fitted = flights(fit);
     ensure!(
@@ -142,13 +135,9 @@ pub fn enough(fit: &Fit) -> anyhow::Result<()> {
 
 /// Whether the fit is reliable by the summary of the bootstrap; prints the reasons if it is not.
 fn answer(summary: &Value) -> Answer {
-    if summary["reliable"] == json!(true) {
-        return Answer::Yes;
-    }
     let why = summary["cautions"].as_array().into_iter().flatten();
-    let why: Vec<&str> = why.filter_map(Value::as_str).collect();
-    eprintln!("do not rely on this fit: {}", why.join("; "));
-    Answer::No
+    let why: Vec<String> = why.filter_map(Value::as_str).map(str::to_owned).collect();
+    reliable("fit", summary["reliable"] == json!(true), &why)
 }
 
 fn flights(fit: &Fit) -> usize {
@@ -196,9 +185,6 @@ fn part(
 }
 
 /// The refits with the given numbers; `progress` is called with the number finished since its last call.
-///
-/// # Errors
-/// If a refit fails for another reason than that it does not converge.
 pub fn refits(
     fit: &Fit,
     seed: u64,

@@ -5,8 +5,7 @@ use model_spec::load::{BODIES, MODELS};
 
 use crate::{Answer, output};
 
-/// Runs `hyzer models`: prints the built-in models, each with the first sentence of its documentation. Always returns
-/// `Answer::Yes`.
+/// Runs `hyzer models`: prints the built-in models with the first sentences of their documentation.
 pub fn run() -> anyhow::Result<Answer> {
     let mut text = String::from("model: its equations\n");
     for (name, of_model) in MODELS {

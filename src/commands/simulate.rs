@@ -6,14 +6,10 @@ mod techdisc;
 pub(super) mod throws;
 
 use std::fmt::Write;
-use std::path::Path;
 
 use anyhow::{Context, anyhow, bail, ensure};
 use flight::files::ResultFile;
-use flight::release::{
-    BUILT_IN, Release, Stop, Vocabulary, built_in, quaternion_fault, read, read_file,
-    read_file_in_wind, read_in_wind,
-};
+use flight::release::{BUILT_IN, Release, Stop, Vocabulary, quaternion_fault, read_named};
 use flight::throw::{FlownThrow, Throw};
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::load::load;
@@ -40,7 +36,7 @@ pub(super) fn run(options: &Simulate) -> anyhow::Result<Answer> {
         return Ok(Answer::Yes);
     }
     check_numbers(options)?;
-    let out = output::results(options.out.as_deref(), &options.figures)?;
+    let out = output::results(options.out.as_deref(), &options.figures, &[])?;
     let mut rows = match &options.throw.techdisc {
         Some(file) => techdisc::read(file)?,
         None => Vec::new(),
@@ -133,7 +129,7 @@ fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
 fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let is_thrown = options.throw.speed.is_some() || options.throw.techdisc.is_some();
     let (mut model, mut release) = match (&options.release, &options.model) {
-        (Some(name), model) => released_in_wind(name, model.as_deref(), &options.with)?,
+        (Some(name), model) => released(name, true, model.as_deref(), &options.with)?,
         (None, None) if !is_thrown => {
             let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
             bail!(
@@ -178,41 +174,17 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// A release by name or file, with the model of an option or else its own; winds that change the model are refused.
+/// A release by name or file, with the model of an option or its own; other winds than constant only if `in_wind`.
 pub(super) fn released(
     name: &str,
-    named: Option<&str>,
-    with: &[String],
-) -> anyhow::Result<(Model, Release)> {
-    let with = super::names(with);
-    let mut model = None;
-    let vocabulary = |own: &str| {
-        let loaded = load(named.unwrap_or(own), &with)?;
-        let vocabulary = Vocabulary::of(&loaded);
-        model = Some(loaded);
-        Ok(vocabulary)
-    };
-    let release = match built_in(name) {
-        Some(text) if !Path::new(name).is_file() => read(name, text, vocabulary)?,
-        _ => read_file(Path::new(name), vocabulary)?,
-    };
-    let model = model.ok_or_else(|| anyhow!("{name}: the release names no model"))?;
-    Ok((model, release))
-}
-
-/// As [`released`], with the wind in the model.
-fn released_in_wind(
-    name: &str,
+    in_wind: bool,
     named: Option<&str>,
     with: &[String],
 ) -> anyhow::Result<(Model, Release)> {
     let with = super::names(with);
     let vocabulary =
         |own: &str| load(named.unwrap_or(own), &with).map(|model| Vocabulary::of(&model));
-    let (release, vocabulary) = match built_in(name) {
-        Some(text) if !Path::new(name).is_file() => read_in_wind(name, text, &[], vocabulary)?,
-        _ => read_file_in_wind(Path::new(name), vocabulary)?,
-    };
+    let (release, vocabulary) = read_named(name, in_wind, vocabulary)?;
     let model = vocabulary.model;
     let model = model.ok_or_else(|| anyhow!("{name}: the release names no model"))?;
     Ok((Model::clone(&model), release))

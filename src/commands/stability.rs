@@ -27,14 +27,14 @@ const THROW: (f64, f64) = (16.0, 700.0);
 
 /// Runs `hyzer stability`: computes modes and criteria, prints them, and writes the result files.
 pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
-    let out = output::results(options.out.as_deref(), &options.figures)?;
+    let out = output::results(options.out.as_deref(), &options.figures, &[])?;
     ensure!(
         options.throw.techdisc.is_none(),
         "--techdisc: expected a throw by --speed and others; `hyzer simulate` flies a launch monitor's table"
     );
     let (model, mut release, throw) = match &options.release {
         Some(name) => {
-            let (model, release) = released(name, Some(&options.model), &options.with)?;
+            let (model, release) = released(name, false, Some(&options.model), &options.with)?;
             (model, release, None)
         }
         None => {
@@ -79,9 +79,6 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
 }
 
 /// Modes and criteria at a release, along its flight and in steady flight; and why there are none along the flight.
-///
-/// # Errors
-/// If the motion cannot be linearised.
 pub fn found(
     body: &Body,
     release: &Release,

@@ -53,7 +53,7 @@ fn prepare(options: &Synthesize) -> anyhow::Result<(Model, Vec<Release>)> {
     let mut model: Option<Model> = None;
     let mut releases = Vec::with_capacity(options.release.len());
     for name in &options.release {
-        let (own, mut release) = released(name, options.model.as_deref(), &options.with)?;
+        let (own, mut release) = released(name, false, options.model.as_deref(), &options.with)?;
         apply_all(&options.set, &own, &mut release)?;
         releases.push(release);
         match &model {

@@ -10,8 +10,7 @@ use report::Units;
 
 use super::vector;
 
-/// Sets the wind of a release by the option `--wind`; returns the model with which to fly the release.
-/// Components on the command line are in `units`.
+/// Sets the wind of a release by `--wind`, with components in `units`; returns the model with which to fly it.
 pub fn apply(
     text: &str,
     units: Units,

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::document::Document;
 use super::hover::facts_of;
-use super::words::{BUILT_IN, INNER, STATEMENTS};
+use super::words::{INNER, built_in, statements};
 
 /// Units that are offered besides all symbols without a prefix.
 const COMPOUND: [&str; 18] = [
@@ -39,10 +39,7 @@ pub fn complete(document: &Document, position: &Value) -> Value {
     };
     match place(before) {
         Place::Nothing => json!([]),
-        Place::Statement => {
-            let all = STATEMENTS.iter().map(|own| (own.word, own.form, own.doc));
-            Value::Array(words(&all.collect::<Vec<_>>(), 14))
-        }
+        Place::Statement => Value::Array(words(&statements(), 14)),
         Place::Unit => Value::Array(units()),
         Place::Type => {
             let mut items = words(&[("vector", "vector UNIT in FRAME", "a vector")], 14);
@@ -63,8 +60,7 @@ pub fn complete(document: &Document, position: &Value) -> Value {
                 ];
                 !others.contains(&kind)
             });
-            let all = BUILT_IN.iter().map(|own| (own.word, own.form, own.doc));
-            items.extend(words(&all.collect::<Vec<_>>(), 3));
+            items.extend(words(&built_in(), 3));
             items.extend(words(&INNER.map(|word| (word, "", "")), 14));
             Value::Array(items)
         }

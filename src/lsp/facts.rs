@@ -176,8 +176,7 @@ fn formula(model: &Model, name: &str) -> String {
         .unwrap_or_default()
 }
 
-/// Values at the defaults of the named quantities that do not change during a flight; `None` for others, and for those
-/// that depend on tables. Each follows those that it uses.
+/// Values at the defaults of the named quantities that are constant in flight; `None` for others and those of tables.
 fn constants(model: &Model) -> Vec<Option<f64>> {
     let mut values = Vec::with_capacity(model.aux_variables.len());
     for variable in &model.aux_variables {

@@ -113,8 +113,8 @@ fn of_declaration(document: &Document, declaration: &Declaration) -> String {
 }
 
 fn of_word(word: &str, is_keyword: bool) -> Option<String> {
-    let found = words::find(word, is_keyword)?;
-    Some(format!("```hyz\n{}\n```\n{}", found.form, found.doc))
+    let (_, form, meaning) = words::find(word, is_keyword)?;
+    Some(format!("```hyz\n{form}\n```\n{meaning}"))
 }
 
 fn of_unit(text: &str) -> Option<String> {

@@ -243,7 +243,7 @@ fn malformed_tables_are_refused_with_their_place() {
     }
     std::fs::write(&file, b"id,\xff\n").expect("a file");
     let (status, _, errors) = told(hyzer().args(["simulate", "disc", "--techdisc"]).arg(&file));
-    assert!(status == 2 && errors.contains(":1: "), "{errors}");
+    assert!(status == 2 && errors.contains(":1:4: "), "{errors}");
 }
 
 #[test]

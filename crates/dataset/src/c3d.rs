@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use crate::takes::c3d::Recording;
-use crate::takes::words::{listed, shown};
+use flight::table::{listed, shown};
 
 use super::AXES;
 use super::samples::{self, Unexpected};

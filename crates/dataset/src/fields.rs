@@ -56,8 +56,7 @@ impl Fields<'_> {
         self.refused(value, key, found, expected)
     }
 
-    /// Returns an error if the TOML table has a key not in `known`; `of` names the table in the message, for example
-    /// ` in [noise]`.
+    /// An error if the TOML table has a key not in `known`; `of` names the table in the message, as in ` in [noise]`.
     pub fn keys(&self, table: &DeTable<'_>, of: &str, known: &[&str]) -> Result<(), InputError> {
         let mut keys = table.keys();
         let Some(key) = keys.find(|key| !known.contains(&key.get_ref().as_ref())) else {
@@ -76,8 +75,7 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads a boolean from the TOML value `value`. Returns an error, which names `key`, if the value is of another
-    /// type.
+    /// Reads a boolean from the TOML value `value`; an error, which names `key`, for a value of another type.
     pub fn truth(&self, value: &Value<'_>, key: &str) -> Result<bool, InputError> {
         match value.get_ref() {
             DeValue::Boolean(truth) => Ok(*truth),
@@ -85,8 +83,7 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads a finite number from the TOML value `value`; integers are accepted. Returns an error, which names `key`,
-    /// if the value is of another type or not finite.
+    /// Reads a finite number from a TOML value; integers are accepted. An error, which names `key`, for other values.
     pub fn number(&self, value: &Value<'_>, key: &str) -> Result<f64, InputError> {
         match number_of(value) {
             Some(number) if number.is_finite() => Ok(number),
@@ -121,8 +118,7 @@ impl Fields<'_> {
         document.get(key).map(table).transpose()
     }
 
-    /// The TOML array of tables under a key of the document, each table with its byte range; empty if the key is
-    /// absent.
+    /// The TOML array of tables under a key of the document, each with its byte range; empty if the key is absent.
     pub fn tables<'d, 't>(
         &self,
         document: &'d DeTable<'t>,

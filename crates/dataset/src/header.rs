@@ -9,8 +9,7 @@ use super::sensor::{Sensor, channels};
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
 
-/// Column indices of the time, of the coordinates of each marker and of each sensor channel; the channels of all
-/// sensors follow one another.
+/// Column indices of the time, of the coordinates of each marker and of the sensor channels, one after another.
 pub(super) struct Header {
     pub width: usize,
     pub time: usize,

@@ -7,8 +7,7 @@ use super::write::{read_back, tables, text_of};
 use super::{Dataset, assemble, manifest, manifest_text};
 use crate::input_error::InputError;
 
-/// Reads and checks a dataset from texts in memory, as [`load`](fn@super::load) does from files: the text of
-/// `dataset.toml`, and the texts of the tables by the names of their files.
+/// Reads and checks a dataset from texts, as [`load`](fn@super::load) does: `dataset.toml`, and the tables by name.
 ///
 /// # Errors
 /// [`InputError`] for the first fault, with its place in the texts.
@@ -31,8 +30,7 @@ pub fn from_texts(
 }
 
 impl Dataset {
-    /// Checks this dataset in the same way as a dataset read from files: names must be valid, units plausible, times
-    /// increasing and values finite, for example.
+    /// Checks this dataset as one read from files: valid names, plausible units, increasing times, finite values.
     ///
     /// # Errors
     /// The first fault found; its line and column refer to the files that [`write`](fn@super::write) would write.

@@ -8,7 +8,6 @@ use super::lines::Lines;
 use super::recording::Recording;
 use super::words::shown;
 use crate::input_error::InputError;
-use crate::takes::number::number;
 
 /// Samples of the inputs of a flight, as read: the columns of a table with their values over time.
 #[derive(Debug, Default, PartialEq)]
@@ -25,8 +24,7 @@ struct Column {
 }
 
 impl InputColumns {
-    /// Whether a column of this name may be an input, beside the columns of the markers and sensors `devices`: those of
-    /// a marker that is not declared end in an axis.
+    /// Whether a column may be an input beside those of `devices`: one of an unknown marker ends in an axis.
     pub fn may_be(name: &str, devices: &[&str]) -> bool {
         let axes = ["_x", "_y", "_z", "_qw", "_qx", "_qy", "_qz"];
         let is_of = |device: &&str| {
@@ -59,18 +57,13 @@ impl InputColumns {
     /// Reads the current row, whose time is `time`, s.
     pub fn row(&mut self, lines: &Lines<'_>, time: f64) -> Result<(), InputError> {
         for column in &mut self.columns {
-            let cell = lines.sheet.cell(column.index);
-            let read = number(cell);
-            let read = read.map_err(|expected| lines.fault(column.index, shown(cell), expected))?;
+            let read = lines.number(column.index)?;
             column.samples.extend(read.map(|value| (time, value)));
         }
         Ok(())
     }
 
     /// The inputs as functions of time.
-    ///
-    /// # Errors
-    /// [`InputError`] for a column of `file` without a value.
     pub fn series(
         self,
         file: &Path,
@@ -100,7 +93,7 @@ pub(super) fn parse(
     interpolation: InputInterpolation,
 ) -> Result<Vec<(String, InputSeries)>, InputError> {
     let read = read_inputs(text, interpolation, |time| recording.seconds(time));
-    read.map_err(|fault| InputError::at(file, fault.place, fault.found, fault.expected))
+    read.map_err(|fault| InputError::at(file, fault.location.place(), fault.found, fault.expected))
 }
 
 /// Text of a table of inputs: a row for each time at which one of them has a sample.

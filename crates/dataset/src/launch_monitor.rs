@@ -9,10 +9,10 @@ use crate::lines::Lines;
 use crate::summary::{SummaryColumn, SummaryEvent, SummaryQuantity as Q, SummaryUnit};
 use crate::summary_table::in_brackets;
 use crate::summary_text::{cell, columns};
-use crate::takes::number::number;
 use crate::toml_text::{list, quoted};
 use crate::words::{listed, shown};
 use crate::{Dataset, Sensor, SensorKind, from_texts};
+use flight::table::number;
 
 /// Options of [`import_shots`].
 #[derive(Clone, Debug, Default)]
@@ -32,93 +32,53 @@ pub struct ImportedShots {
     pub decisions: Vec<String>,
 }
 
-/// Headers of launch monitors, without spaces, signs and units, for each quantity; and whether those of a quantity with
-/// sides are positive to the right.
-const HEADERS: [(Q, &[&str]); 17] = [
-    (
-        Q::Speed,
-        &["ballspeed", "speed", "releasespeed", "throwspeed"],
-    ),
+/// Headers of launch monitors, without spaces, signs and units; those of a quantity with sides, to the right or left.
+const HEADERS: [(Q, &str); 17] = [
+    (Q::Speed, "ballspeed speed releasespeed throwspeed"),
     (
         Q::Launch,
-        &[
-            "launchangle",
-            "launchang",
-            "vla",
-            "launch",
-            "verticallaunchangle",
-        ],
+        "launchangle launchang vla launch verticallaunchangle",
     ),
     (
         Q::Heading,
-        &[
-            "launchdirection",
-            "launchdir",
-            "hla",
-            "horizontallaunchangle",
-            "azimuth",
-            "sideangle",
-        ],
+        "launchdirection launchdir hla horizontallaunchangle azimuth sideangle",
     ),
-    (Q::Nose, &["noseangle", "nose"]),
-    (Q::Hyzer, &["hyzerangle", "hyzer"]),
-    (Q::Spin, &["spinrate", "totalspin", "spin"]),
-    (Q::SpinAxis, &["spinaxis", "spintiltaxis"]),
-    (Q::Height, &["releaseheight", "launchheight"]),
-    (Q::Wobble, &["wobble", "wobbleangle"]),
+    (Q::Nose, "noseangle nose"),
+    (Q::Hyzer, "hyzerangle hyzer"),
+    (Q::Spin, "spinrate totalspin spin"),
+    (Q::SpinAxis, "spinaxis spintiltaxis"),
+    (Q::Height, "releaseheight launchheight"),
+    (Q::Wobble, "wobble wobbleangle"),
     (
         Q::Carry,
-        &[
-            "carryflatlength",
-            "carrylength",
-            "carry",
-            "carrydistance",
-            "carrydist",
-        ],
+        "carryflatlength carrylength carry carrydistance carrydist",
     ),
     (
         Q::Side,
-        &[
-            "carryflatside",
-            "carryside",
-            "side",
-            "offline",
-            "carryoffline",
-            "carrydeviation",
-        ],
+        "carryflatside carryside side offline carryoffline carrydeviation",
     ),
     (
         Q::ApexHeight,
-        &[
-            "maxheightheight",
-            "height",
-            "maxheight",
-            "peakheight",
-            "apex",
-            "apexheight",
-        ],
+        "maxheightheight height maxheight peakheight apex apexheight",
     ),
-    (Q::ApexDistance, &["maxheightdist", "apexdistance"]),
-    (
-        Q::HangTime,
-        &["carryflattime", "hangtime", "flighttime", "airtime"],
-    ),
+    (Q::ApexDistance, "maxheightdist apexdistance"),
+    (Q::HangTime, "carryflattime hangtime flighttime airtime"),
     (
         Q::LandingSpeed,
-        &["carryflatballspeed", "landingspeed", "carryballspeed"],
+        "carryflatballspeed landingspeed carryballspeed",
     ),
     (
         Q::LandingAngle,
-        &[
-            "carryflatlandangle",
-            "landangle",
-            "landingangle",
-            "descentangle",
-            "carrylandangle",
-        ],
+        "carryflatlandangle landangle landingangle descentangle carrylandangle",
     ),
-    (Q::FinalSpin, &["landingspin", "finalspin"]),
+    (Q::FinalSpin, "landingspin finalspin"),
 ];
+
+/// Quantity of a header, as it is a key of [`HEADERS`].
+fn known(key: &str) -> Option<Q> {
+    let is_own = |(_, all): &&(Q, &str)| all.split(' ').any(|own| own == key);
+    HEADERS.iter().find(is_own).map(|(quantity, _)| *quantity)
+}
 
 /// Ends of headers that are units, as in `speedMph`.
 const ENDINGS: [(&str, &str); 8] = [
@@ -144,8 +104,7 @@ fn read_header(header: &str) -> (String, Option<SummaryUnit>) {
     }
     let mut key: String = bare.chars().filter(|c| c.is_alphanumeric()).collect();
     key.make_ascii_lowercase();
-    let is_known = |key: &str| HEADERS.iter().any(|(_, all)| all.contains(&key));
-    if unit.is_none() && !is_known(&key) {
+    if unit.is_none() && known(&key).is_none() {
         let ending = ENDINGS.iter().find(|(end, _)| key.ends_with(end));
         if let Some((end, name)) = ending {
             key.truncate(key.len() - end.len());
@@ -165,45 +124,50 @@ struct Used {
 /// Maximum length of an export, bytes.
 const MAX_BYTES: u64 = 256 << 20;
 
+/// Rows of a table of at most `largest` bytes, each with its line, without blank lines and comments; `what` describes the
+/// expected file in messages.
+pub fn table_rows(
+    file: &Path,
+    largest: u64,
+    what: &str,
+) -> Result<Vec<(usize, Vec<String>)>, InputError> {
+    let bytes = crate::file::bytes(file, largest, what)?;
+    rows(file, &crate::file::table_text(file, &bytes)?)
+}
+
+fn rows(file: &Path, text: &str) -> Result<Vec<(usize, Vec<String>)>, InputError> {
+    let mut lines = Lines::new(file, text);
+    let mut rows = Vec::new();
+    while lines.next()? {
+        rows.push((lines.sheet.place(0).0, lines.sheet.cells()));
+    }
+    Ok(rows)
+}
+
 /// Reads the file of a launch monitor's export, as [`import_shots`].
-///
-/// # Errors
-/// As [`import_shots`]; or if the file cannot be read, is no ordinary file or too long.
 pub fn read_shots(file: &Path, options: &ShotOptions) -> Result<ImportedShots, InputError> {
     let bytes = crate::file::bytes(file, MAX_BYTES, "a table of shots")?;
     import_shots(file, &bytes, options)
 }
 
 /// Reads a launch monitor's export: a header, where there is one a row of units in brackets, and a row per shot.
-///
-/// # Errors
-/// [`InputError`] if no column is recognised, a unit is not stated, or the table is faulty.
 pub fn import_shots(
     file: &Path,
     bytes: &[u8],
     options: &ShotOptions,
 ) -> Result<ImportedShots, InputError> {
     let text = &*crate::file::table_text(file, bytes)?;
-    let mut lines = Lines::new(file, text);
-    if !lines.next()? {
-        return Err(InputError::at(
-            file,
-            (1, 1),
-            "no header",
-            "a launch monitor's table",
-        ));
+    let mut rows = rows(file, text)?;
+    if rows.is_empty() {
+        let expected = "a launch monitor's table";
+        return Err(InputError::at(file, (1, 1), "no header", expected));
     }
-    let headers = lines.sheet.cells();
-    let mut rows: Vec<(usize, Vec<String>)> = Vec::new();
+    let (_, headers) = rows.remove(0);
     let mut units: Vec<String> = Vec::new();
-    while lines.next()? {
-        let cells = lines.sheet.cells();
-        if rows.is_empty() && cells.iter().any(|cell| in_brackets(cell).is_some()) {
-            units = cells;
-            continue;
-        }
-        let (line, _) = lines.sheet.place(0);
-        rows.push((line, cells));
+    let is_units =
+        |(_, cells): &(usize, Vec<String>)| cells.iter().any(|c| in_brackets(c).is_some());
+    while rows.first().is_some_and(is_units) {
+        units = rows.remove(0).1;
     }
     let used = used(file, &headers, &units, options)?;
     let mut decisions = Vec::new();
@@ -284,15 +248,16 @@ fn used(
     }
     for (place, header) in headers.iter().enumerate() {
         let (key, by_header) = read_header(header);
-        let own = HEADERS.iter().find(|(_, all)| all.contains(&&*key));
-        let Some((quantity, _)) = own else { continue };
-        let is_taken = |other: &Used| other.place == place || other.column.quantity == *quantity;
+        let Some(quantity) = known(&key) else {
+            continue;
+        };
+        let is_taken = |other: &Used| other.place == place || other.column.quantity == quantity;
         if used.iter().any(is_taken) {
             continue;
         }
         let unit = unit_of(units, place).or(by_header);
-        let unit = unit.or_else(|| usual_unit(*quantity));
-        used.push(Used::new(file, (place, header), *quantity, unit)?);
+        let unit = unit.or_else(|| usual_unit(quantity));
+        used.push(Used::new(file, (place, header), quantity, unit)?);
     }
     let is_outcome = |own: &Used| own.column.quantity.event() != SummaryEvent::Release;
     if !used.iter().any(is_outcome) {

@@ -17,7 +17,6 @@ mod lines;
 mod manifest;
 mod manifest_sensors;
 mod names;
-mod place;
 pub mod pose;
 mod recording;
 mod samples;
@@ -44,7 +43,7 @@ pub use body_template::BodyTemplate;
 use flight::{InputInterpolation, InputSeries, parallel};
 pub use in_memory::from_texts;
 pub use input_error::InputError;
-pub use launch_monitor::{ImportedShots, ShotOptions, import_shots, read_shots};
+pub use launch_monitor::{ImportedShots, ShotOptions, import_shots, read_shots, table_rows};
 pub use recording::ANGULAR_RATES;
 pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen, spin_axis};
 pub use summary::{SummaryColumn, SummaryEvent, SummaryQuantity, SummaryUnit};
@@ -67,14 +66,11 @@ pub struct Dataset {
     pub markers: Vec<Marker>,
     /// Sensors other than markers, such as gyroscopes.
     pub sensors: Vec<Sensor>,
-    /// Whether the direction of the vertical relative to the axes of the positions is unknown; otherwise the z axis
-    /// points up.
+    /// Whether the direction of the vertical relative to the axes is unknown; otherwise the z axis points up.
     pub unknown_vertical: bool,
-    /// Standard errors, along the body axes, of the origin of the markers' positions, m; the origin is then estimated
-    /// in the fit. `None` if the origin is known exactly.
+    /// Standard errors of the origin along the body axes, m; it is then estimated in the fit. `None` if it is exact.
     pub origin_error: Option<[f64; 3]>,
-    /// Standard error of the direction of the third body axis relative to the markers, rad; the direction is then
-    /// estimated in the fit. `None` if it is known exactly.
+    /// Standard error of the direction of the third axis, rad; it is then estimated in the fit. `None` if it is exact.
     pub axis_error: Option<f64>,
     /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
@@ -120,8 +116,7 @@ impl Role {
     }
 }
 
-/// Value, for one flight, of a quantity of the model that was measured independently of the markers and sensors or was
-/// set, such as the wind.
+/// Value, for one flight, of a quantity of the model that was measured independently or was set, such as the wind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum KnownValue {
     /// Value of a parameter, or of a state at the first sample, SI.
@@ -143,11 +138,9 @@ pub struct Flight {
     pub file: String,
     /// Whether the flight is fitted or held out.
     pub role: Role,
-    /// Values of model quantities in this flight that are known from other sources than its marker positions and sensor
-    /// readings, such as the wind, by their names in the model.
+    /// Values of model quantities in this flight that are known from elsewhere, such as the wind, by name.
     ///
-    /// A value under the name `NAME_sigma` is the standard deviation with which `NAME` was measured; `NAME` is then
-    /// estimated, with this prior.
+    /// `NAME_sigma` is the standard deviation with which `NAME` was measured, which is then estimated with it.
     pub known: BTreeMap<String, KnownValue>,
     /// Inputs, coefficients or constants of the model that are estimated for this flight by itself.
     pub unknown: Vec<String>,
@@ -157,8 +150,7 @@ pub struct Flight {
     pub times: Vec<f64>,
     /// `positions[sample][marker]`, m, in the inertial frame; `None` if the marker was not measured.
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
-    /// `readings[sample][channel]` of the sensors. A channel is one measured quantity; the channels of all sensors
-    /// follow one another. `None` for a missing reading. Empty without sensors.
+    /// `readings[sample][channel]`, the channels of all sensors one after another; `None` for a missing reading.
     pub readings: Vec<Vec<Option<Reading>>>,
 }
 
@@ -195,8 +187,7 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
     load_on(folder, None)
 }
 
-/// Reads and checks a dataset folder (`dataset.toml` and the tables of the flights) on `threads` threads; `None` for
-/// one thread per processor.
+/// Reads and checks a dataset folder on `threads` threads; `None` for one thread per processor.
 ///
 /// # Errors
 /// As for [`load`].
@@ -314,8 +305,7 @@ fn assemble<'t>(
     })
 }
 
-/// Flights that are rows of the tables of summaries, each with the path of its table. Adds their columns to `sensors`;
-/// tables with the same column share it.
+/// Flights that are rows of tables of summaries, each with its table's path; adds their columns to `sensors` once.
 fn summary_flights<'t>(
     entries: &[summary_columns::SummariesEntry],
     markers: usize,

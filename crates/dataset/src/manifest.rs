@@ -49,8 +49,7 @@ pub(super) struct Manifest {
     pub summaries: Vec<SummariesEntry>,
 }
 
-/// One `[[flights]]` entry of `dataset.toml`: the file of a flight, whether it is fitted or held out, and its known
-/// values.
+/// One `[[flights]]` entry of `dataset.toml`: the file, whether it is fitted or held out, and its known values.
 #[derive(Debug, PartialEq)]
 pub(super) struct FlightEntry {
     pub file: String,
@@ -245,8 +244,7 @@ impl Fields<'_> {
         Ok(markers)
     }
 
-    /// Reads the TOML table `[template]`: the standard errors of the origin of the markers' positions along the body
-    /// axes, m, and that of the direction of the third axis, rad. `None` for a key that is absent.
+    /// Reads the table `[template]`: standard errors of the origin along the body axes, m, and of the third axis, rad.
     fn template_errors(
         &self,
         document: &DeTable<'_>,

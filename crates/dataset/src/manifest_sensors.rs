@@ -100,8 +100,7 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads the standard deviation of a sensor's noise under the key `key`, in the unit of the sensor's readings
-    /// (`sigma`) or in rad (`sigma_angle`). `None` if the key is absent, an error if the value is not positive.
+    /// Standard deviation of a sensor's noise, in the unit of its readings (`sigma`) or in rad (`sigma_angle`).
     pub(super) fn deviation(
         &self,
         table: &DeTable<'_>,

@@ -19,15 +19,13 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// Residual variance of one marker coordinate, m²: sum of the squared distances between measured and fitted marker
-    /// positions, divided by the degrees of freedom.
+    /// Residual variance of a marker coordinate, m²: sum of the squared distances by the degrees of freedom.
     pub fn variance(&self) -> f64 {
         self.squares / (3.0 * self.markers as f64 - 6.0)
     }
 }
 
-/// Ratio of the spread of the markers perpendicular to the best-fit line to their total spread, below which the markers
-/// are considered collinear.
+/// Ratio of the markers' spread normal to the best-fit line to their total spread, below which they are collinear.
 const COLLINEAR: f64 = 0.02;
 
 /// Whether the markers determine the attitude of a body: there are at least three, and they are not collinear.
@@ -50,8 +48,7 @@ fn are_not_collinear(points: impl Iterator<Item = Vector3<f64>> + Clone) -> bool
     sum > 0.0 && product > (COLLINEAR * sum).powi(2)
 }
 
-/// Least-squares pose from the body coordinates `markers` and the measured positions `seen`, m; `None` if the measured
-/// markers do not determine the attitude.
+/// Least-squares pose from the body coordinates `markers` and the measured positions `seen`, m; `None` if collinear.
 #[inline] // compiled at the optimisation level of the caller
 pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     let pairs = markers.iter().zip(seen).filter_map(|(&marker, &seen)| {
@@ -97,8 +94,7 @@ pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     squares.sum::<f64>().sqrt()
 }
 
-/// Position of a point mass in the inertial frame, m: mean of (measured position − marker offset). `None` if no marker
-/// is measured.
+/// Position of a point mass in the inertial frame, m: mean of (measured position − offset); `None` without a marker.
 pub fn point_position(markers: &[[f64; 3]], measured: &[Option<[f64; 3]>]) -> Option<Vector3<f64>> {
     let pairs = measured.iter().zip(markers);
     let origins = pairs.filter_map(|(measured, marker)| {
@@ -113,9 +109,8 @@ pub fn point_position(markers: &[[f64; 3]], measured: &[Option<[f64; 3]>]) -> Op
 /// Maximum number of Newton steps for the largest eigenvalue of Horn's 4 × 4 matrix, whose eigenvector is the attitude.
 const MAX_STEPS: usize = 100;
 
-/// Least-squares rotation that maps vectors b to vectors s, from the matrix `c` = Σ s bᵀ. `bound`, half the sum of all
-/// squared lengths, is an upper bound of the largest eigenvalue of Horn's 4 × 4 matrix, from which Newton's method
-/// starts. `None` for collinear vectors.
+/// Least-squares rotation that maps vectors b to s, from `c` = Σ s bᵀ; `None` for collinear vectors. Newton's method
+/// starts at `bound`, half the sum of the squared lengths, which is above the largest eigenvalue of Horn's matrix.
 #[inline] // as `pose`
 fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
     #[rustfmt::skip]

@@ -28,8 +28,7 @@ const INVERSE: &str = "inertial_to_body";
 /// Value of the key `up` if the direction of the vertical is unknown.
 const UNKNOWN: &str = "unknown";
 
-/// The +z axis of the flights' tables: the upward axis by default, and the third axis of the dataset if the vertical is
-/// unknown.
+/// The +z axis of the flights' tables: upwards by default, and the third axis if the vertical is unknown.
 const UP_Z: Axis = Axis {
     index: 2,
     negative: false,
@@ -130,8 +129,7 @@ impl Recording {
         Ok(recording)
     }
 
-    /// The axis of the flights' tables that becomes the third axis of the dataset: the upward axis, or +z if the
-    /// vertical is unknown.
+    /// The axis of the tables that becomes the third one of the dataset: the upward axis, or +z if that is unknown.
     pub fn third_axis(&self) -> Axis {
         match self.up {
             Up::Axis(axis) => axis,

@@ -16,8 +16,7 @@ const MAX_SPEED: f64 = 1e3;
 /// Maximum plausible ratio of the measured distance between two markers to their distance according to `dataset.toml`.
 const MAX_STRETCH: f64 = 30.0;
 const MIN_REJECTED: f64 = 1.0;
-/// Maximum product of the number of samples of a flight and the number of its markers and sensor channels; it bounds
-/// the memory used.
+/// Maximum product of the samples of a flight and its markers and sensor channels; it bounds the memory used.
 const MAX_VALUES: usize = 1 << 23;
 
 /// Texts of an input error: what was found in the file, and what was expected instead.
@@ -28,8 +27,7 @@ pub(super) fn max_samples(markers: usize) -> usize {
     MAX_VALUES / markers.max(1)
 }
 
-/// Returns an error if `time`, the time of a sample, s, is not after that of the previous sample, `before`, or is more
-/// than [`MAX_SECONDS`] after that of the first sample, `first`. `before` and `first` are `None` for the first sample.
+/// An error if `time`, s, is not after the previous time, `before`, or is over [`MAX_SECONDS`] after the `first` one.
 pub(super) fn check_time(
     first: Option<&f64>,
     before: Option<&f64>,
@@ -60,8 +58,7 @@ pub(super) fn check_coordinate(name: &dyn Display, value: f64) -> Result<(), Une
     Err((format!("{name} = {value}"), expected))
 }
 
-/// Checks a flight after all of its samples have been read: it must have at least one measured value, and the distances
-/// and speeds of markers must be plausible for coordinates in metres and times in seconds.
+/// Checks a flight that has been read: it must have a measured value, and plausible distances and speeds of markers.
 pub(super) fn check_flight(
     file: &Path,
     flight: &Flight,
@@ -102,8 +99,7 @@ fn first_distance(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     Some((measured, distance(first.position, second.position)))
 }
 
-/// Median speed of the first marker, m/s, over pairs of samples half a flight apart, a statistic that is robust to
-/// outliers; `None` if the flight is too short.
+/// Median speed of the first marker, m/s, over samples half a flight apart; `None` if the flight is too short.
 fn speed(flight: &Flight) -> Option<f64> {
     let half = flight.times.len() / 2;
     if half < 2 {

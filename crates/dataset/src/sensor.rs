@@ -5,8 +5,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::summary::{SummaryColumn, SummaryEvent};
 
-/// Distance, m, of the virtual marker points of a pose sensor from the sensor along its axes; the points represent the
-/// pose in computations that use marker positions.
+/// Distance, m, from a pose sensor of the virtual markers that represent its pose in computations with markers.
 const REACH: f64 = 0.1;
 
 /// Kind of quantity that a sensor measures.
@@ -32,8 +31,7 @@ pub struct Sensor {
     pub position: [f64; 3],
     /// Whether the position of the sensor on the body is unknown and is estimated in the fit.
     pub position_is_unknown: bool,
-    /// Standard deviation of one component of a reading, in the unit of the component (m, rad/s, m/s², m/s); `None`
-    /// if unknown.
+    /// Standard deviation of one component of a reading (m, rad/s, m/s², m/s); `None` if unknown.
     pub sigma: Option<f64>,
     /// For a pose sensor: standard deviation of the attitude about one axis, rad; `None` if unknown.
     pub sigma_angle: Option<f64>,
@@ -64,8 +62,7 @@ impl Sensor {
 }
 
 impl SensorKind {
-    /// All kinds of sensors under `[[sensors]]`, each with its name in `dataset.toml`. `marker` is not included: an
-    /// entry of that kind is read as a tracked point on the body, not as a sensor.
+    /// Kinds of sensors under `[[sensors]]` by their names; not `marker`, which is read as a tracked point on the body.
     pub const ALL: [(Self, &'static str); 4] = [
         (Self::Pose, "pose"),
         (Self::Instrument(Instrument::Gyroscope), "gyroscope"),
@@ -95,9 +92,7 @@ impl SensorKind {
         }
     }
 
-    /// For each channel of a sensor of this kind, the suffixes of its column names, which follow the sensor's name. A
-    /// channel is a measured quantity; a pose sensor has two, position and attitude. An empty suffix means that the
-    /// column has the sensor's name.
+    /// For each channel (measured quantity) of this kind, the suffixes of its column names after the sensor's name.
     #[doc(hidden)]
     pub fn channels(self) -> &'static [&'static [&'static str]] {
         const VECTOR: &[&str] = &["_x", "_y", "_z"];
@@ -110,8 +105,7 @@ impl SensorKind {
     }
 }
 
-/// Channels (measured quantities) of all sensors, one after another: the sensor of each channel, and the suffixes of
-/// the names of the channel's columns.
+/// Channels of all sensors, one after another: the sensor of each, and the suffixes of the names of its columns.
 pub(super) fn channels(
     sensors: &[Sensor],
 ) -> impl Iterator<Item = (&Sensor, &'static [&'static str])> {
@@ -121,8 +115,7 @@ pub(super) fn channels(
         .flat_map(move |sensor| of(sensor).map(move |endings| (sensor, *endings)))
 }
 
-/// Rotation from body to inertial components that corresponds to a reading of the attitude, a quaternion with the
-/// scalar part first.
+/// Rotation from body to inertial components for a reading of the attitude, a quaternion, scalar part first.
 pub fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
 }
@@ -159,8 +152,7 @@ pub fn points_on_body(position: [f64; 3]) -> [[f64; 3]; 3] {
     ]
 }
 
-/// Inertial positions, m, of the virtual marker points of a pose sensor, from the readings of its two channels,
-/// position and attitude; `None` if a reading is missing.
+/// Inertial positions, m, of the virtual markers of a pose sensor, from its two readings; `None` if one is missing.
 pub fn points_seen(readings: &[Option<Reading>]) -> [Option<[f64; 3]>; 3] {
     let (Some(place), Some(turn)) = (readings[0], readings[1]) else {
         return [None; 3];

@@ -35,8 +35,7 @@ pub fn median_vector(vectors: &[Vector3<f64>]) -> Option<Vector3<f64>> {
     Some(Vector3::new(component(0)?, component(1)?, component(2)?))
 }
 
-/// Robust estimate of the standard deviation of normal values with mean 0: 1.4826 times the median of their absolute
-/// values; 0 for no values. Reorders the values.
+/// Robust standard deviation of normal values with mean 0: 1.4826 times the median size. Reorders the values.
 pub fn robust_sigma(absolute_values: &mut [f64]) -> f64 {
     SIGMA_PER_MEDIAN * median(absolute_values)
 }

@@ -13,8 +13,7 @@ use crate::statistics::median_vector;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Unplaced {
     pub marker: usize,
-    /// Input error located at the marker's entry in `dataset.toml`; its texts are filled in if the position cannot be
-    /// estimated.
+    /// Error located at the marker's entry in `dataset.toml`, for a position that cannot be estimated.
     pub place: InputError,
 }
 
@@ -28,15 +27,11 @@ impl Unplaced {
     }
 }
 
-/// Phrase for error messages: the condition under which unknown marker positions can be estimated, as the number of
-/// markers whose positions must be known.
+/// The condition under which unknown marker positions can be estimated, for messages.
 const NEEDED: &str = "at least three markers with positions that are not on a line, or none";
 
 /// Estimates the unknown positions of markers and pose sensors and writes them into `markers` and `sensors`. If all
 /// positions of markers are unknown, returns the template that was estimated from the flights; otherwise `None`.
-///
-/// # Errors
-/// [`InputError`], located at the first marker concerned, if the flights do not determine the positions.
 pub(super) fn estimate_positions(
     markers: &mut [Marker],
     (unplaced, vertical_is_known): (&[Unplaced], bool),

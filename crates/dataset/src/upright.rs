@@ -4,9 +4,8 @@ use super::recording::Recording;
 use super::sensor::{Reading, Sensor, SensorKind, channels};
 use super::table::Table;
 
-/// Converts the marker positions and poses of a flight's table to right-handed axes with z up; an unknown vertical
-/// leaves the direction of z unchanged. Times and marker positions must already be in s and m; readings of sensors are
-/// converted to SI units.
+/// Converts the marker positions (m), poses and readings of a flight's table to right-handed axes with z up and SI
+/// units; an unknown vertical leaves the direction of z unchanged.
 pub(super) fn upright(recording: &Recording, mut table: Table, sensors: &[Sensor]) -> Table {
     let up = recording.third_axis();
     let turned = |position: [f64; 3]| up.upright(recording.left_handed, position);

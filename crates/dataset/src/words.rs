@@ -1,7 +1,7 @@
 //! Formatting for error messages: quoting of external texts and shortening of long lists as in the crate `takes`, and
 //! suggestions of similar names.
 
-pub(super) use crate::takes::words::{listed, shown};
+pub(super) use flight::table::{listed, shown};
 use model_spec::nearest_name;
 
 /// Suggestion ` (did you mean …?)` for an error message, if one of `names` is similar to the misspelt name `wrong`.

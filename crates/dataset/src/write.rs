@@ -17,8 +17,7 @@ use flight::files::{ResultFile, write_new_folder};
 
 /// Writes a dataset as a folder with `dataset.toml` and one table per flight.
 ///
-/// The folder is written atomically. An existing folder is accepted if it is empty or already has exactly this
-/// content.
+/// The folder is written atomically; an existing one is accepted if it is empty or already has this content.
 ///
 /// # Errors
 /// If reading the files would not give an equal dataset (for example because a flight is a C3D file or a marker has
@@ -27,8 +26,7 @@ pub fn write(folder: &Path, dataset: &Dataset) -> io::Result<()> {
     write_with(folder, dataset, &[])
 }
 
-/// Writes a dataset as [`write`](fn@write) does, together with additional files `beside` (name, text), which the
-/// reader of datasets ignores.
+/// Writes a dataset as [`write`](fn@write), with the files `beside` (name, text), which its reader ignores.
 ///
 /// # Errors
 /// Those of [`write`](fn@write), or if two files have the same name.
@@ -36,8 +34,7 @@ pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(&str, String)]) -
     write_commented(folder, dataset, beside, &[])
 }
 
-/// Writes a dataset and additional files as [`write_with`] does, with a comment line above the position of each marker
-/// in `dataset.toml`; `comments` are in the order of the markers.
+/// Writes a dataset as [`write_with`], with a comment from `comments` above the position of each marker.
 ///
 /// # Errors
 /// Those of [`write_with`].
@@ -93,8 +90,7 @@ fn is_written(folder: &Path, (name, text): &(String, String)) -> bool {
     std::fs::read(folder.join(name)).is_ok_and(|bytes| bytes == text.as_bytes())
 }
 
-/// Number of files in a folder and below it; the count ends where it exceeds `most`, since the folder may be large. 0
-/// for a folder that does not exist.
+/// Number of files in a folder and below it, counted to just above `most`; 0 for a folder that does not exist.
 fn files_below(folder: &Path, most: usize) -> io::Result<usize> {
     let (mut count, mut left) = (0, vec![folder.to_path_buf()]);
     while let Some(next) = left.pop()

@@ -36,14 +36,12 @@ impl CompiledModel {
 }
 
 impl BoundModel<'_> {
-    /// Limits of validity of the model as events. An integration that reaches a limit fails with the reason that the
-    /// model text gives for this limit.
+    /// Limits of validity as events; an integration that reaches one fails with the reason in the model's text.
     pub fn limits(&self) -> Vec<Event<'_, ModelState>> {
         self.limits_on()
     }
 
-    /// Limits of validity as events for a state vector that begins with the model's states, such as that of
-    /// [`ode::Sensitivities`].
+    /// Limits of validity for a state vector that begins with the model's, as of [`ode::Sensitivities`].
     pub fn limits_on<X: StateVector>(&self) -> Vec<Event<'_, X>> {
         let limits = self.model.limits.iter().enumerate();
         let of_model = limits.map(|(index, (bound, reason))| {

@@ -14,8 +14,7 @@ use std::borrow::Cow;
 /// State vector of a model, in the order of the states in its [`Layout`].
 pub type ModelState = Box<[f64]>;
 
-/// Compiled model: layout, functions with derivatives, and limits of validity. [`bind`](Self::bind) supplies the
-/// parameter values.
+/// Compiled model: layout, functions with derivatives, and limits; [`bind`](Self::bind) supplies the parameters.
 pub struct CompiledModel {
     pub(crate) layout: Layout,
     /// For each limit of validity of the model: lower bound of the limited quantity, and the reason to report below it.
@@ -26,8 +25,7 @@ pub struct CompiledModel {
 }
 
 impl CompiledModel {
-    /// Uses the generated Rust code for this model if its source hash matches; otherwise compiles the model to a tape,
-    /// which is interpreted bytecode.
+    /// Uses the generated Rust code for this model if its source hash matches; otherwise compiles it to a tape.
     pub fn new(model: &Model) -> CompiledModel {
         CompiledModel::generated(model).unwrap_or_else(|| CompiledModel::interpreted(model))
     }
@@ -47,9 +45,8 @@ impl CompiledModel {
         CompiledModel::with_tape(model, &compile(model))
     }
 
-    /// Compiles the model to a tape specialized to the parameter values `fixed`: pairs (index in the parameter vector
-    /// of the model's [`Layout`], value). Terms that vanish at these values are removed; derivatives with respect to
-    /// these parameters remain. Values that are later bound to these parameters are ignored.
+    /// Compiles the model to a tape for the parameter values `fixed` (index in the model's [`Layout`], value) without
+    /// the terms that vanish there; derivatives by them remain, values bound later are ignored.
     pub fn specialized(model: &Model, fixed: &[(usize, f64)]) -> CompiledModel {
         CompiledModel::with_tape(
             model,
@@ -57,30 +54,26 @@ impl CompiledModel {
         )
     }
 
-    /// Compiles the model to a tape specialized to the parameter values `fixed`, which are pairs (index, value). The
-    /// tape has derivatives with respect to `parameters` only. All indices refer to the parameter vector of the model's
-    /// [`Layout`].
+    /// As [`specialized`](Self::specialized), with derivatives by `parameters` (indices) only.
     pub fn specialized_by(
         model: &Model,
         fixed: &[(usize, f64)],
         parameters: Vec<usize>,
     ) -> CompiledModel {
         let selection = Selection::Only(parameters);
-        CompiledModel::of_selection(model, &compile_at(model, &selection, fixed, Effort::Quick))
+        CompiledModel::with_tape(model, &compile_at(model, &selection, fixed, Effort::Quick))
     }
 
-    /// Uses the generated Rust code for this model if its source hash matches; otherwise compiles the model to a tape.
-    /// Such a tape has derivatives with respect to `parameters` only (indices in the parameter vector of the model's
-    /// [`Layout`]), so that it is compiled and evaluated faster.
+    /// As [`new`](Self::new), but a tape has derivatives by `parameters` (indices in the model's [`Layout`]) only, so
+    /// that it is compiled and evaluated faster.
     pub fn with_derivatives_by(model: &Model, parameters: Vec<usize>) -> CompiledModel {
         CompiledModel::generated(model)
             .unwrap_or_else(|| CompiledModel::compiled_for(model, &Selection::Only(parameters)))
     }
 
-    /// Compiles the model to a tape that observes the auxiliary variable `variable` instead of a marker position. A
-    /// vector is observed by its components in the frame in which the model defines it, a scalar as the first of three
-    /// components. The tape has derivatives with respect to `parameters` only, which are given by their indices in the
-    /// parameter vector of the model's [`Layout`]. `None` if the model has no such variable.
+    /// Compiles the model to a tape that observes the auxiliary variable `variable` instead of a marker: a vector by
+    /// its components in its frame, a scalar as the first of three. It has derivatives by `parameters` (indices in the
+    /// model's [`Layout`]) only. `None` without such a variable.
     pub fn observing(
         model: &Model,
         variable: &str,
@@ -104,33 +97,30 @@ impl CompiledModel {
         observing.observation = Some(Observation { name, value, span });
         let selection = Selection::Only(parameters);
         let compiled = compile_at(&observing, &selection, &[], Effort::Quick);
-        Some(CompiledModel::of_selection(&observing, &compiled))
+        Some(CompiledModel::with_tape(&observing, &compiled))
     }
 
     /// Compiles the model to a tape that has derivatives with respect to the parameters in `selection` only.
     pub(crate) fn compiled_for(model: &Model, selection: &Selection) -> CompiledModel {
-        CompiledModel::of_selection(model, &compile_for(model, selection))
+        CompiledModel::with_tape(model, &compile_for(model, selection))
     }
 
-    /// Creates the compiled model from a tape that has derivatives with respect to selected parameters only; the
-    /// columns of its parameter Jacobians are renumbered to the indices in the parameter vector of the model's
-    /// [`Layout`].
-    fn of_selection(model: &Model, compiled: &Compiled) -> CompiledModel {
-        let mut model = CompiledModel::with_tape(model, compiled);
-        let patterns = &mut model.patterns;
-        let by_parameter = [
-            &mut patterns.parameter_jacobian,
-            &mut patterns.observation_by_parameter,
-        ];
-        for (_, column) in by_parameter.into_iter().flatten() {
+    /// Compiled model from a tape, the columns of whose parameter Jacobians get the indices in the [`Layout`].
+    fn with_tape(model: &Model, compiled: &Compiled) -> CompiledModel {
+        let functions = ModelFunctions::Tape(Box::new(TapeModel::new(compiled)));
+        let mut model = CompiledModel::with_functions(model, functions);
+        let SparsityPatterns {
+            parameter_jacobian,
+            observation_by_parameter,
+            ..
+        } = &mut model.patterns;
+        for (_, column) in parameter_jacobian
+            .iter_mut()
+            .chain(observation_by_parameter)
+        {
             *column = compiled.columns[*column];
         }
         model
-    }
-
-    fn with_tape(model: &Model, compiled: &Compiled) -> CompiledModel {
-        let functions = ModelFunctions::Tape(Box::new(TapeModel::new(compiled)));
-        CompiledModel::with_functions(model, functions)
     }
 
     fn with_functions(model: &Model, functions: ModelFunctions) -> CompiledModel {
@@ -176,9 +166,8 @@ impl CompiledModel {
         states
     }
 
-    /// Parameter vector for a release, in the order of the model's [`Layout`]: the model's defaults, overridden by the
-    /// release's parameters, coefficients, wind, known inputs and inputs over time. Inputs that the model lacks are
-    /// ignored.
+    /// Parameter vector for a release, in the order of the [`Layout`]: the defaults, overridden by the release's
+    /// parameters, coefficients, wind and inputs; those that the model lacks are ignored.
     pub fn release_parameters(&self, release: &Release) -> FlightParameters {
         let names = self.layout.parameters.iter().map(String::as_str);
         let mut parameters = release.constants(names.zip(self.layout.default_parameters()));
@@ -199,8 +188,7 @@ impl CompiledModel {
     }
 }
 
-/// Vector expression whose first component in the inertial frame is `scalar`, and whose other components are 0; it
-/// makes a scalar observable in place of a marker position.
+/// Vector whose first inertial component is `scalar`, and whose others are 0, to observe a scalar as a marker.
 fn vector_of(scalar: Expr) -> Expr {
     let zero = || Expr {
         kind: ExprKind::Number {

@@ -19,8 +19,7 @@ pub enum ModelFunctions {
     Tape(Box<TapeModel>),
 }
 
-/// Sparsity patterns of a model's Jacobians: (row, column) of each entry, ordered by row. x is the state, p the
-/// parameters, y the observed marker position.
+/// Sparsity of a model's Jacobians: (row, column) by row. x is the state, p the parameters, y the marker position.
 #[derive(Clone, Debug)]
 pub struct SparsityPatterns {
     /// Pattern of ∂f/∂x, where f = dx/dt.
@@ -120,8 +119,7 @@ impl ModelFunctions {
         }
     }
 
-    /// Computes the position `y` of a marker in the inertial frame, m, and its Jacobians with respect to the state, the
-    /// parameters and the body-fixed marker coordinates, in this order in `jacobians`.
+    /// Position `y` of a marker, m, and its Jacobians by the state, the parameters and the marker coordinates.
     pub fn observe_jac(
         &self,
         at: EvaluationPoint<'_>,
@@ -150,8 +148,7 @@ impl ModelFunctions {
         }
     }
 
-    /// Computes the left-hand side of each limit of validity of the model; the model is valid where each left-hand side
-    /// exceeds the lower bound of its limit.
+    /// Computes the quantity of each limit of validity; the model is valid where each is above its bound.
     pub fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]) {
         match self {
             Self::Generated(code) => (code.limits)(at.t, at.x, at.p, at.prepared, l),

@@ -26,8 +26,7 @@ pub struct Release {
     pub initial: Vec<(String, f64)>,
     /// Constant wind: velocity of the air in the inertial frame, m/s.
     pub wind: [f64; 3],
-    /// Wind by height and gusts; `None` if neither is specified in the release file. If it is `Some`, the flight must
-    /// be simulated with the model that [`WindField::compose`] returns.
+    /// Wind by height and gusts; with it, the flight needs the model that [`WindField::compose`] returns.
     pub wind_field: Option<WindField>,
     /// Values (SI) of the model's vector inputs other than the wind, by name; the inputs are known for each flight.
     pub known: Vec<(String, [f64; 3])>,
@@ -45,8 +44,7 @@ pub enum Stop {
 }
 
 impl Release {
-    /// Maximum duration that may be specified in a release file, and maximum duration of a flight that ends at the
-    /// ground, s.
+    /// Maximum duration in a release file, and of a flight that ends at the ground, s.
     pub const MAX_DURATION: f64 = 600.0;
 
     /// Release of a model with its default values, those of its wind among them, which ends at the ground.
@@ -89,8 +87,7 @@ impl Release {
         self
     }
 
-    /// Values of parameters and coefficients in the order of `defaults` (name and default value); the defaults are
-    /// overridden by the parameters, coefficients and constant wind of the release.
+    /// Values of parameters and coefficients in the order of `defaults` (name and value), overridden by the release.
     #[doc(hidden)]
     pub fn constants<'a>(&self, defaults: impl IntoIterator<Item = (&'a str, f64)>) -> Vec<f64> {
         let of_wind = self.wind_field.as_ref().map(WindField::parameters);
@@ -106,8 +103,7 @@ impl Release {
     }
 }
 
-/// Fault of the first of `quaternions` (state indices) whose length is not 1 in `initial` (name and value of every
-/// state); `None` if there is none.
+/// Fault of the first of `quaternions` (state indices) whose length is not 1 in `initial` (name and value).
 #[doc(hidden)]
 pub fn quaternion_fault(
     initial: &[(String, f64)],
@@ -145,14 +141,12 @@ pub struct Vocabulary {
     pub scalar_inputs: Vec<Name>,
     /// State indices of the four components of each unit quaternion, scalar part first.
     pub quaternions: Vec<[usize; 4]>,
-    /// The model, from whose body the states of a throw are derived; without it a release file must not contain
-    /// `[throw]`.
+    /// The model, from whose body the states of a throw are derived; without it, `[throw]` is not allowed.
     pub model: Option<Arc<Model>>,
 }
 
 impl Vocabulary {
-    /// Names that the model defines after the wind `field` has been added to it.
-    /// An error is a message why the model cannot fly in this wind.
+    /// Names of the model with the wind `field`, or why the model cannot fly in it.
     pub(crate) fn in_wind(&self, field: &WindField) -> Result<Vocabulary, String> {
         const NO_MODEL: &str = "found a wind by height or gusts, and no model that could fly in it";
         let model = self.model.as_ref().ok_or(NO_MODEL)?;
@@ -186,8 +180,7 @@ impl Vocabulary {
     }
 }
 
-/// Names and TOML texts of the built-in releases: two flights of Hubbard & Hummel (2000), a backhand, a discus throw
-/// and a table-tennis serve.
+/// Names and texts of the built-in releases: two flights of Hubbard & Hummel (2000) and three others.
 pub const BUILT_IN: [(&str, &str); 5] = [
     ("fssh3", include_str!("../releases/fssh3.toml")),
     ("bffl8", include_str!("../releases/bffl8.toml")),

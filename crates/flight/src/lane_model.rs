@@ -35,8 +35,7 @@ pub struct LaneModel {
 }
 
 impl LaneModel {
-    /// Prepares `model` for integration in SIMD lanes. If the crate `generated` contains Rust code with the same source
-    /// hash as `model`, this code is used; otherwise `model` is compiled to a tape.
+    /// Prepares `model` for SIMD lanes, with generated Rust code of the same source hash, or else a tape.
     pub fn new(model: &Model) -> LaneModel {
         let generated = generated::model(&model.name);
         LaneModel {
@@ -66,17 +65,15 @@ impl LaneModel {
         }
     }
 
-    /// Whether flights are integrated with Rust code generated from the model rather than with a tape. Generated code
-    /// exists only for the widest instruction sets ([`ode::fly_on_widest`]); with any other instruction set, the tape
-    /// is evaluated, with the same results.
+    /// Whether flights use generated Rust code rather than a tape. It exists only for the widest instruction sets
+    /// ([`ode::fly_on_widest`]); results are the same.
     pub fn is_generated(&self) -> bool {
         self.is_generated
     }
 
-    /// Integrates all flights of `queue` with [`ode::fly`] and returns the number of vectorized evaluations of the
-    /// right-hand side. `span` specifies the conditions that end a flight. `isa` selects the instruction set; `None`
-    /// selects the widest that the processor supports. Returns 0 without integrating if the processor does not support
-    /// `isa`.
+    /// Integrates all flights of `queue` with [`ode::fly`] to the end in `span`, and returns the number of vectorized
+    /// evaluations. `isa` is the instruction set, or `None` for the widest; 0, without integrating, if the processor
+    /// lacks it.
     ///
     /// # Panics
     /// Under the conditions for which [`ode::fly`] panics.
@@ -164,8 +161,7 @@ impl Visitor for GeneratedTask<'_> {
     }
 }
 
-/// Right-hand side of the equations of motion and validity limits of a model, evaluated in SIMD lanes by the generated
-/// Rust code of the type `E`.
+/// Right-hand side and validity limits of a model in SIMD lanes, by the generated Rust code of the type `E`.
 struct GeneratedRhs<'a, E> {
     model: &'a LaneModel,
     equations: PhantomData<E>,

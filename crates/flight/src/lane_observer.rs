@@ -12,8 +12,7 @@ pub struct LaneObserver {
 }
 
 impl LaneObserver {
-    /// Compiles the measurement equation of `model`. It must not depend on time or on a marker, because
-    /// [`LaneObserver::observe`] evaluates it with time and marker coordinates set to 0.
+    /// Compiles the measurement equation of `model`, which must not depend on time or a marker: both are set to 0.
     pub fn new(model: &Model) -> LaneObserver {
         let compiled = compile_for(model, &Selection::Only(Vec::new()));
         LaneObserver {
@@ -23,9 +22,8 @@ impl LaneObserver {
 
     /// Computes the observed position, m, at many states. The result has one column for each of the three components.
     ///
-    /// `states` holds one column per state variable; equal rows of the columns form one state vector. `parameters`
-    /// holds the parameter values in the order of the model's layout, equal for all states. Each element of `varied` is
-    /// the index of a parameter and a column of values that replace the value in `parameters` row by row.
+    /// `states` has one column per state, `parameters` the values for all states, and `varied` indices of parameters
+    /// with columns of values instead, row by row.
     ///
     /// # Panics
     /// If a column is shorter than the first column of `states`, or there are fewer states or parameters than the model

@@ -43,6 +43,7 @@ pub mod parallel;
 mod release_file;
 mod rhs;
 mod simulate;
+pub mod table;
 pub mod throw;
 mod time_breaks;
 mod toml_reader;
@@ -52,9 +53,7 @@ pub mod wind;
 pub use bound_model::BoundModel;
 pub use compiled_model::{CompiledModel, ModelState};
 pub use functions::{EvaluationPoint, ModelFunctions, SparsityPatterns, Workspace};
-pub use inputs::{
-    FlightParameters, InputInterpolation, InputSeries, InputsOverTime, TableFault, read_inputs,
-};
+pub use inputs::{FlightParameters, InputInterpolation, InputSeries, InputsOverTime, read_inputs};
 pub use lane_model::LaneModel;
 pub use lane_observer::LaneObserver;
 pub use observer::{ModelObserver, ObservationJacobians};
@@ -67,7 +66,7 @@ pub mod release {
     pub use crate::initial_conditions::{
         BUILT_IN, Release, Stop, Vocabulary, built_in, quaternion_fault,
     };
-    pub use crate::release_file::{read, read_file, read_file_in_wind, read_in_wind};
+    pub use crate::release_file::{read, read_file, read_in_wind, read_named};
     pub use crate::toml_reader::{
         Fault, Name, Reader, ReleaseError, Value, number_of, read_text, suggestion,
     };

@@ -19,17 +19,14 @@ pub struct ObservationJacobians<'o> {
     pub by_state_pattern: &'o [(usize, usize)],
     /// Entries of ∂y/∂x, the derivatives of the marker position y with respect to the state x, m per state unit.
     pub by_state: &'o [f64],
-    /// (row, parameter) indices of each entry of ∂y/∂p, where y is the marker position; parameters p are in the order
-    /// of the model's [`Layout`](codegen::Layout).
+    /// (row, parameter) of each entry of ∂y/∂p, with the parameters in the order of [`Layout`](codegen::Layout).
     pub by_parameter_pattern: &'o [(usize, usize)],
-    /// Entries of ∂y/∂p, the derivatives of the marker position y with respect to the parameters p, m per parameter
-    /// unit.
+    /// Entries of ∂y/∂p, the derivatives of the marker position by the parameters, m per unit.
     pub by_parameter: &'o [f64],
 }
 
 impl BoundModel<'_> {
-    /// Creates the measurement equation of the model: marker positions and auxiliary variables as functions of time and
-    /// state.
+    /// The measurement equation of the model: marker positions and auxiliary variables by time and state.
     pub fn observer(&self) -> ModelObserver<'_> {
         let patterns = &self.model.patterns;
         ModelObserver {
@@ -44,8 +41,7 @@ impl BoundModel<'_> {
 }
 
 impl ModelObserver<'_> {
-    /// Position of a marker in the inertial frame, m, at time `t` (s) and state `x`; `marker` is the marker's
-    /// body-fixed position, m.
+    /// Position, m, of a marker with the body-fixed position `marker`, m, at time `t` (s) and state `x`.
     pub fn position(&mut self, t: f64, x: &[f64], marker: &[f64; 3]) -> [f64; 3] {
         let at = self.model.at(t, x, &mut self.parameters);
         let mut y = [0.0; 3];
@@ -55,8 +51,7 @@ impl ModelObserver<'_> {
         y
     }
 
-    /// Position of a marker, as returned by [`position`](Self::position), and its sparse Jacobians with respect to
-    /// state and parameters.
+    /// [`position`](Self::position), and its sparse Jacobians with respect to state and parameters.
     pub fn position_with_jacobians(
         &mut self,
         t: f64,
@@ -83,8 +78,7 @@ impl ModelObserver<'_> {
         (y, jacobians)
     }
 
-    /// Auxiliary variables of the model at time `t` (s) and state `x`, in the order of
-    /// [`Layout::quantities`](codegen::Layout).
+    /// Auxiliary variables at time `t` (s) and state `x`, in the order of [`Layout::quantities`](codegen::Layout).
     pub fn quantities(&mut self, t: f64, x: &[f64]) -> Vec<f64> {
         let at = self.model.at(t, x, &mut self.parameters);
         let mut q = vec![0.0; self.model.model.layout.quantities.len()];
@@ -94,8 +88,7 @@ impl ModelObserver<'_> {
         q
     }
 
-    /// Whether the state is within the model's domain of validity: every quantity that the model limits exceeds its
-    /// lower bound.
+    /// Whether the state is within the model's limits: every limited quantity is above its bound.
     pub fn is_within_limits(&mut self, t: f64, x: &[f64]) -> bool {
         let at = self.model.at(t, x, &mut self.parameters);
         let limits = &self.model.model.limits;

@@ -65,10 +65,9 @@ fn spread<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R + Syn
     }
 }
 
-/// Runs `task` on a thread of the pool with `threads` threads that [`each_on`] uses. Calls of [`each_on`] in `task`
-/// with the same number of threads thus start sooner: a thread outside the pool has to wake a thread of the pool and
-/// wait for it. Runs `task` on the calling thread if `threads` is at most 1 or the calling thread already belongs to a
-/// pool.
+/// Runs `task` in the pool with `threads` threads that [`each_on`] uses, so that its calls of [`each_on`] start sooner:
+/// a thread outside would have to wake one of the pool. On the calling thread if `threads` is at most 1 or it belongs
+/// to a pool.
 ///
 /// # Panics
 /// If `task` panics.
@@ -104,10 +103,9 @@ fn is_in_pool(threads: usize) -> bool {
     rayon::current_thread_index().is_some() && rayon::current_num_threads() == threads
 }
 
-/// Returns a pool of `threads` threads: the pool of the last call if it has this number of threads, otherwise a new
-/// one, which replaces it. A fit calls this thousands of times with the same number of threads and thus starts its
-/// threads only once. A process that was forked gets a pool of its own: the threads of its parent are not in it. For the same
-/// reason nothing uses rayon's global pool, which cannot be replaced.
+/// The pool of the last call if it has `threads` threads, otherwise a new one: a fit calls this thousands of times. A
+/// forked process gets its own, without its parent's threads; for the same reason nothing uses rayon's global pool,
+/// which cannot be replaced.
 fn shared_pool(threads: usize) -> Result<Arc<ThreadPool>, ThreadPoolBuildError> {
     static LAST: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
     let process = std::process::id();

@@ -4,8 +4,7 @@ use crate::{BoundModel, ModelState, Workspace};
 use ode::{DifferentiableRhs, OdeRhs};
 use std::borrow::Cow;
 
-/// Right-hand side dx/dt = f(t, x) of a bound model, with its Jacobians with respect to the states and to all
-/// parameters of the model where these are asked for.
+/// Right-hand side dx/dt = f(t, x) of a bound model, with Jacobians by the states and all parameters if asked for.
 pub struct ModelRhs<'a> {
     model: &'a BoundModel<'a>,
     workspace: Workspace,

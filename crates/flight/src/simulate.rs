@@ -5,9 +5,8 @@ use crate::compiled_model::CompiledModel;
 use crate::release::{Release, Stop};
 use ode::{Event, IntegrationError, IntegrationOptions, Trajectory};
 
-/// Simulates the flight of the model from the initial conditions in `release` to the condition [`Release::stop`] that
-/// ends the flight. The apex and the contact with the ground (height `z` falls to 0) are recorded as events `apex` and
-/// `ground`.
+/// Simulates the flight from `release` to its end, [`Release::stop`]. The apex and the contact with the ground (height
+/// `z` falls to 0) are the events `apex` and `ground`.
 ///
 /// # Errors
 /// [`IntegrationError`] if the integration fails, a limit of validity is reached, or the ground is not reached within

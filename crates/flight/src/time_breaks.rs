@@ -7,8 +7,7 @@ use model_spec::model::{Expr, ExprKind, Function, Model};
 /// Expressions of a model that are not smooth in the time, each a function of the time and of parameters alone.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TimeBreaks {
-    /// Arguments that are piecewise linear in the time, with the values at which the function of the argument is not
-    /// smooth. Arguments within an argument come before it.
+    /// Arguments piecewise linear in the time, each after those within it, with the values where it is not smooth.
     arguments: Vec<(InTime, Vec<f64>)>,
     /// For each auxiliary variable, its definition if that is piecewise linear in the time; empty without arguments.
     variables: Vec<Option<InTime>>,
@@ -27,8 +26,7 @@ enum InTime {
 }
 
 impl TimeBreaks {
-    /// Collects the tables, steps, signs, absolute values, minima and maxima of `model` whose argument is piecewise
-    /// linear in the time.
+    /// Collects the functions of `model` with kinks whose argument is piecewise linear in the time.
     pub fn of(model: &Model, layout: &Layout) -> TimeBreaks {
         let reader = Reader::new(model, layout);
         let mut arguments = Vec::new();

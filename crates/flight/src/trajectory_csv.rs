@@ -2,9 +2,8 @@
 
 use ode::Trajectory;
 
-/// Formats a trajectory as CSV: a header (`t` and the state names), then one row per sample, `rate` samples per second
-/// from the start, and a row at the end of the trajectory. Values are in SI units, with the fewest digits that read
-/// back exactly.
+/// Formats a trajectory as CSV: a header (`t` and the states), then `rate` rows per second from the start, and one at
+/// the end; in SI units, with the fewest digits that read back exactly.
 ///
 /// # Panics
 /// If the number of `names` is not the number of states, or `rate` is not positive.

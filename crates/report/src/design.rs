@@ -104,8 +104,7 @@ fn lead_words(found: &Design, units: Units) -> Vec<String> {
     words
 }
 
-/// Table of the quantities of the throw, their bounds, and what a unit of each does. What one SI unit less and more does was
-/// flown, and is left out in other units.
+/// Table of the quantities of the throw, their bounds, and what a unit of each does, flown in SI units alone.
 fn throw(found: &Design, bounds: &Bounds, units: Units) -> Table {
     let size = |s: &Sensitivity| units.instead_of(FIELDS[s.field].1).1;
     let value = |s: &Sensitivity| {

@@ -15,16 +15,12 @@ use crate::text::wrapped;
 pub struct Listed {
     known: KnownEffect,
     effect: AppliedEffect,
-    /// Of each coefficient, then state: its name and unit, the value at which the effect is absent, and the smallest size
-    /// of interest.
+    /// Of each coefficient, then state: name and unit, value without the effect, and the smallest size of interest.
     parts: Vec<[String; 3]>,
     models: Vec<String>,
 }
 
 /// Effects that a diagnosis tests for `model`, or else all built-in ones with the built-in models to which they apply.
-///
-/// # Errors
-/// [`LoadError`] if the model cannot be loaded.
 pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     let names: Vec<&str> = match model {
         None => MODELS.iter().map(|(name, _)| *name).collect(),
@@ -75,9 +71,6 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
 }
 
 /// Names of the effects that a diagnosis does not test for a model, with the reasons.
-///
-/// # Errors
-/// [`LoadError`] if the model cannot be loaded.
 pub fn not_offered(model: &str) -> Result<Vec<(String, String)>, LoadError> {
     let known = known_effects(&load(model, &[])?).into_iter();
     let refused = known

@@ -7,56 +7,12 @@ use std::str::Chars;
 const MAX_DEPTH: usize = 400;
 
 /// Commands that are not written as their names, and what is written.
-const SIGNS: [(&str, &str); 46] = [
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("gamma", "γ"),
-    ("delta", "δ"),
-    ("epsilon", "ε"),
-    ("zeta", "ζ"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("iota", "ι"),
-    ("kappa", "κ"),
-    ("lambda", "λ"),
-    ("mu", "μ"),
-    ("nu", "ν"),
-    ("xi", "ξ"),
-    ("pi", "π"),
-    ("rho", "ρ"),
-    ("sigma", "σ"),
-    ("tau", "τ"),
-    ("upsilon", "υ"),
-    ("phi", "φ"),
-    ("chi", "χ"),
-    ("psi", "ψ"),
-    ("omega", "ω"),
-    ("Gamma", "Γ"),
-    ("Delta", "Δ"),
-    ("Omega", "Ω"),
-    ("cdot", "·"),
-    ("times", "×"),
-    ("neq", "≠"),
-    ("geq", "≥"),
-    ("leq", "≤"),
-    ("ge", "≥"),
-    ("le", "≤"),
-    ("infty", "∞"),
-    // Fonts, and spaces that are none in text.
-    ("mathbf", ""),
-    ("mathrm", ""),
-    ("boldsymbol", ""),
-    ("operatorname", ""),
-    ("text", ""),
-    ("left", ""),
-    ("right", ""),
-    ("big", ""),
-    (",", ""),
-    // The language writes names with underscores.
-    (" ", "_"),
-    ("\\", "; "),
-    (".", ""),
-];
+const SIGNS: &str = "alpha α beta β gamma γ delta δ epsilon ε zeta ζ eta η theta θ iota ι kappa κ lambda λ mu μ nu ν xi ξ \
+    pi π rho ρ sigma σ tau τ upsilon υ phi φ chi χ psi ψ omega ω Gamma Γ Delta Δ Omega Ω \
+    cdot · times × neq ≠ geq ≥ leq ≤ ge ≥ le ≤ infty ∞";
+
+/// Commands that write nothing: fonts, and spaces that are none in text.
+const SILENT: &str = "mathbf mathrm boldsymbol operatorname text left right big , .";
 
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
@@ -159,9 +115,13 @@ impl Reader<'_> {
                 self.chars.next_if_eq(&' ');
                 "∂".to_owned()
             }
+            // The language writes names with underscores.
+            " " => "_".to_owned(),
+            "\\" => "; ".to_owned(),
+            known if SILENT.split(' ').any(|silent| silent == known) => String::new(),
             known => {
-                let sign = SIGNS.iter().find(|(name, _)| *name == known);
-                sign.map_or(known, |(_, sign)| sign).to_owned()
+                let mut words = SIGNS.split(' ').skip_while(|name| *name != known);
+                words.nth(1).unwrap_or(known).to_owned()
             }
         }
     }

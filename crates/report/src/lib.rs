@@ -18,7 +18,7 @@ mod formula;
 mod html;
 pub mod import;
 pub mod kml;
-pub mod literature;
+mod literature;
 mod page;
 pub mod stability;
 pub mod sweep;

@@ -11,8 +11,7 @@ const MIN_WIDTH: usize = 30;
 /// Width of the terminal, characters.
 static TERMINAL: OnceLock<usize> = OnceLock::new();
 
-/// States the width of the terminal that texts and tables are to fit, once for a process. Without it sentences are broken at
-/// 100 characters, and tables are as wide as they are.
+/// States the width of the terminal, once for a process; without it sentences are broken at 100 characters.
 pub fn set_width(characters: usize) {
     TERMINAL.get_or_init(|| characters.max(MIN_WIDTH));
 }

@@ -42,8 +42,7 @@ pub(crate) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
     kept
 }
 
-/// The items in their order or, if there are more than `most`, the largest first. An item whose size is NaN counts as the
-/// largest, one without a size as the smallest.
+/// The items in their order or, if there are more than `most`, the largest first; NaN is largest, no size smallest.
 pub(crate) fn largest_first<T>(
     mut items: Vec<T>,
     most: usize,

@@ -26,8 +26,7 @@ impl Units {
         }
     }
 
-    /// The unit that stands for the SI unit `unit`, and how many SI units it has. Other units than those of lengths and
-    /// speeds stay.
+    /// The unit that stands for the SI unit `unit`, and its size in that; only lengths and speeds have others.
     pub fn instead_of(self, unit: &str) -> (&str, f64) {
         match (self, unit) {
             (Units::Imperial, "m") => ("ft", FOOT),

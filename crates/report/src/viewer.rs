@@ -41,8 +41,7 @@ pub struct View {
 }
 
 impl View {
-    /// The flights of a fit, measured and predicted; evenly spaced ones if there are more than `MAX_FIGURES`. `by` names
-    /// the predicting model, to distinguish flights of two models, and may be empty.
+    /// Flights of a fit, measured and predicted, at most `MAX_FIGURES`; `by` names the predicting model, or is empty.
     pub fn of_fit(fit: &Fit, by: &str) -> View {
         let problem = fit.problem();
         let used = (0..fit.report.flights.len()).filter(|&i| fit.report.flights[i].is_used());

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use analysis::design::CoefficientErrors;
 use anyhow::{Context, bail};
+use flight::files::bounded_text;
 use serde_json::Value;
 
 /// Maximum size of `report.json`, bytes.
@@ -11,15 +12,7 @@ const MAX_BYTES: u64 = 64 << 20;
 
 /// Reads the text of the `report.json` of `hyzer fit`.
 pub fn text(file: &Path) -> anyhow::Result<String> {
-    let place = || format!("--fit: {}", file.display());
-    let size = std::fs::metadata(file).with_context(place)?.len();
-    if size > MAX_BYTES {
-        bail!(
-            "{}: has {size} bytes, expected at most {MAX_BYTES}",
-            place()
-        );
-    }
-    std::fs::read_to_string(file).with_context(place)
+    bounded_text(file, MAX_BYTES).with_context(|| format!("--fit: {}", file.display()))
 }
 
 /// Reads standard errors and correlations from the text of a `report.json`, named by `name` in messages.

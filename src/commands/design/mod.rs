@@ -20,7 +20,7 @@ use crate::{Answer, output};
 
 /// Runs `hyzer design`. `Answer::No` if the throw violates a constraint of the goal.
 pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
-    let out = output::results(options.out.as_deref(), &options.figures)?;
+    let out = output::results(options.out.as_deref(), &options.figures, &[])?;
     let fit = options.fit.as_deref().map(|file| {
         let text = errors::text(file)?;
         anyhow::Ok((format!("--fit: {}", file.display()), text))
@@ -85,9 +85,6 @@ pub struct Asked<'a> {
 }
 
 /// Designs a throw, and calls `then` with it and what flies it.
-///
-/// # Errors
-/// If an input is faulty, or no throw can be flown.
 pub fn designed<R>(
     asked: Asked<'_>,
     then: impl FnOnce(&Designed<'_>, &ThrowFlights<'_>) -> anyhow::Result<R>,
@@ -207,9 +204,6 @@ impl Designed<'_> {
     }
 
     /// Result files of `hyzer design`.
-    ///
-    /// # Errors
-    /// If the throw cannot be flown.
     pub fn files(&self, flights: &ThrowFlights<'_>) -> Result<Vec<ResultFile>, ThrowFlightError> {
         let (found, body) = (&self.found, flights.body);
         let settings = ode::IntegrationOptions::with_tolerance(1e-9);

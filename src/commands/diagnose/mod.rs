@@ -25,11 +25,8 @@ const CASES: usize = 12;
 /// Runs `hyzer diagnose`. `Answer::No` if there are reasons not to rely on the diagnosis.
 pub(super) fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let deadline = deadline(options.max_seconds)?;
-    let out = options.out.as_deref();
-    let mut inputs = Inputs::read(&options.inputs, out, &options.figures)?;
-    if let Some(out) = &mut inputs.out {
-        out.as_parquet = !options.tables.is_empty();
-    }
+    let out = output::results(options.out.as_deref(), &options.figures, &options.tables)?;
+    let inputs = Inputs::read(&options.inputs, out)?;
     let (dataset, model, name) = (&inputs.dataset, &inputs.model, &inputs.name);
     let progress = Progress::new()?;
     let asked = DiagnosisOptions {
@@ -61,9 +58,6 @@ pub(super) fn run(options: &Diagnose) -> anyhow::Result<Answer> {
 }
 
 /// Diagnoses a model, and verifies its extension.
-///
-/// # Errors
-/// Those of [`diagnose_with`], or if the extended model is faulty.
 pub fn diagnosis(
     model: &Model,
     dataset: &Dataset,
@@ -108,9 +102,6 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
 }
 
 /// Result files of a diagnosis, whose report then names the file of the extended model.
-///
-/// # Errors
-/// If the report has no form in JSON, or the estimates cannot be written into the text of the extended model.
 pub fn files(found: &mut Diagnosis, dataset: &Dataset) -> anyhow::Result<Vec<ResultFile>> {
     if found.after.is_some() {
         found.report.extended_model = Some(EXTENDED.to_owned());

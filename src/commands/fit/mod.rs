@@ -8,7 +8,6 @@ use flight::files::ResultFile;
 use identify::{FitOptions, FlightEvidence, FlightId, Prior};
 use model_spec::model::Model;
 use model_spec::{ModelTree, sort_by_number};
-use report::FigureKind;
 use report::fit::{FitPage, tables};
 use report::viewer::View;
 
@@ -24,11 +23,8 @@ pub(super) const FLIGHTS: &str = "flights.html";
 /// Runs `hyzer fit`. `Answer::No` if the estimates are not reliable.
 pub(super) fn run(options: &Fit) -> anyhow::Result<Answer> {
     let deadline = deadline(options.max_seconds)?;
-    let out = options.out.as_deref();
-    let mut inputs = Inputs::read(&options.inputs, out, &options.figures)?;
-    if let Some(out) = &mut inputs.out {
-        out.as_parquet = !options.tables.is_empty();
-    }
+    let out = output::results(options.out.as_deref(), &options.figures, &options.tables)?;
+    let inputs = Inputs::read(&options.inputs, out)?;
     let (dataset, model, name) = (&inputs.dataset, &inputs.model, &inputs.name);
     let progress = Progress::new()?;
     let asked = FitOptions {
@@ -83,14 +79,12 @@ pub(super) struct Inputs<'a> {
 impl<'a> Inputs<'a> {
     pub(super) fn read(
         given: &'a FitInputs,
-        out: Option<&'a Path>,
-        figures: &'a [FigureKind],
+        out: Option<output::Results<'a>>,
     ) -> anyhow::Result<Inputs<'a>> {
         let fixed = given.hold.iter().map(|text| held(text));
         let fixed = fixed.collect::<anyhow::Result<_>>()?;
         let priors = given.prior.iter().map(|text| prior(text));
         let priors = priors.collect::<anyhow::Result<_>>()?;
-        let out = output::results(out, figures)?;
         let dataset = dataset::load_on(&given.dataset, given.threads)?;
         let model = model_of(given.model.as_ref(), &given.dataset, &dataset)?;
         let name = given.dataset.file_name();
@@ -167,9 +161,6 @@ fn page<'a>(
 }
 
 /// Result files of a fit.
-///
-/// # Errors
-/// If the report has no form in JSON, or the estimates cannot be written into the text of the model.
 pub fn files(
     fitted: &identify::Fit,
     model: &Model,

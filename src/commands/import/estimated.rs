@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use anyhow::{Context, ensure};
-use dataset::takes::words::{listed, shown};
 use dataset::takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
 use dataset::{BodyTemplate, Marker};
+use flight::table::{listed, shown};
 
 use super::no_throw;
 use crate::cli::Import;

@@ -8,11 +8,11 @@ use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
-use dataset::takes::words::listed;
 use dataset::takes::{
     self, Axis, Format, ImportOptions, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit,
 };
 use dataset::{BodyTemplate, Dataset, Flight, Marker, Sensor, SensorKind, write_commented};
+use flight::table::listed;
 use report::import::{ImportPage, ImportedTake};
 
 use crate::cli::Import;
@@ -70,9 +70,6 @@ pub struct Imported {
 }
 
 /// Reads recordings and cuts them to the free flights.
-///
-/// # Errors
-/// If an option or a recording is faulty, or no throw is found.
 pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
     if let Some(height) = options.centre_height {
         ensure!(
@@ -164,8 +161,7 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
     })
 }
 
-/// Template of a point mass whose one point is all that was tracked: its place is the centre; `None` for any other body
-/// or recording.
+/// Template of a point mass whose one point, at the centre, is all that was tracked; `None` for any other.
 fn of_point(
     model: &str,
     options: &Import,

@@ -1,6 +1,5 @@
 //! Reads throws of the launch monitor TechDisc: a CSV file with a header, one throw per row.
 
-use std::io::Read;
 use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
@@ -33,56 +32,25 @@ pub struct Row {
     /// Number in the file, from 1.
     pub number: usize,
     /// Line in the file, from 1.
-    pub line: u64,
+    pub line: usize,
     /// The throw, with its heading along +x and the default height.
     pub throw: Throw,
 }
 
 /// Reads a table of throws of TechDisc.
-///
-/// # Errors
-/// If the file cannot be read or has faults; the first one is reported.
 pub fn read(path: &Path) -> anyhow::Result<Vec<Row>> {
-    let name = path.display();
-    let mut bytes = Vec::new();
-    let file = std::fs::File::open(path);
-    file.and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
-        .with_context(|| format!("{name}: cannot be read"))?;
-    ensure!(
-        bytes.len() as u64 <= MAX_BYTES,
-        "{name}: found more than {MAX_BYTES} bytes, expected at most that"
-    );
-    parse(&name.to_string(), &bytes)
-}
-
-/// Parses a table of throws; `file` is its name in messages.
-///
-/// # Errors
-/// If it has faults; the first one is reported.
-pub fn parse(file: &str, bytes: &[u8]) -> anyhow::Result<Vec<Row>> {
-    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_reader(bytes);
+    let file = path.display();
     let mut header: Option<Header> = None;
     let mut rows = Vec::new();
-    let mut record = csv::StringRecord::new();
-    while reader.read_record(&mut record).map_err(|e| {
-        let line = e.position().map_or(1, csv::Position::line);
-        anyhow::anyhow!("{file}:{line}: this is no table in UTF-8: {e}")
-    })? {
-        let line = record.position().map_or(1, csv::Position::line);
+    for (line, cells) in dataset::table_rows(path, MAX_BYTES, "a table of throws")? {
         let place = format!("{file}:{line}");
         match &header {
-            None => header = Some(Header::read(&place, &record)?),
-            Some(_) if record.iter().all(str::is_empty) => {}
+            None => header = Some(Header::read(&place, &cells)?),
+            Some(_) if cells.iter().all(String::is_empty) => {}
             Some(_) if rows.len() == MAX_ROWS => {
                 bail!("{place}: found more than {MAX_ROWS} throws, expected at most that")
             }
-            Some(header) => rows.push(header.row(&place, &record, line, rows.len() + 1)?),
+            Some(header) => rows.push(header.row(&place, &cells, line, rows.len() + 1)?),
         }
     }
     ensure!(
@@ -93,9 +61,6 @@ pub fn parse(file: &str, bytes: &[u8]) -> anyhow::Result<Vec<Row>> {
 }
 
 /// Selects a throw by its id or else by its number.
-///
-/// # Errors
-/// If there is no such throw, or if several throws have this id.
 pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
     let count = rows.iter().filter(|row| row.id == name).count();
     ensure!(
@@ -122,14 +87,14 @@ struct Header {
 }
 
 impl Header {
-    fn read(place: &str, record: &csv::StringRecord) -> anyhow::Result<Header> {
-        let columns = record.len();
+    fn read(place: &str, cells: &[String]) -> anyhow::Result<Header> {
+        let columns = cells.len();
         ensure!(
             columns <= MAX_COLUMNS,
             "{place}: found {columns} columns, expected at most {MAX_COLUMNS}"
         );
         let column = |name: &str| {
-            let mut found = record.iter().enumerate().filter(|(_, cell)| *cell == name);
+            let mut found = cells.iter().enumerate().filter(|(_, cell)| *cell == name);
             let first = found.next().map(|(at, _)| at);
             match found.next() {
                 Some((again, _)) => bail!(
@@ -161,11 +126,11 @@ impl Header {
     fn row(
         &self,
         place: &str,
-        record: &csv::StringRecord,
-        line: u64,
+        cells: &[String],
+        line: usize,
         number: usize,
     ) -> anyhow::Result<Row> {
-        let (found, expected) = (record.len(), self.columns);
+        let (found, expected) = (cells.len(), self.columns);
         ensure!(
             found == expected,
             "{place}: found {found} cells, expected {expected} as in the header"
@@ -176,7 +141,7 @@ impl Header {
             let Some(at) = *at else {
                 continue;
             };
-            let text = record.get(at).unwrap_or_default();
+            let text = &cells[at];
             let is_speed = field == SPEED;
             if text.is_empty() && !is_needed && !is_speed {
                 continue;
@@ -205,7 +170,7 @@ impl Header {
             let at = stated.find_map(|(at, (_, own, ..))| at.filter(|_| own == field));
             bail!("{place}: column {}: {fault}", 1 + at.unwrap_or_default());
         }
-        let id = self.id.and_then(|at| record.get(at)).unwrap_or_default();
+        let id = self.id.map_or("", |at| &cells[at]);
         let id = match id.is_empty() {
             true => number.to_string(),
             false => id.chars().filter(|c| !c.is_control()).take(60).collect(),

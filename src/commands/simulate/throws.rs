@@ -16,8 +16,7 @@ pub fn at_defaults(name: &str, model: &Model) -> Release {
     }
 }
 
-/// Sets the motion of `throw` in a release, with the quantities that options, in `units`, replace; without `throw`, that of
-/// the release.
+/// Sets the motion of `throw`, or else the release's, with the quantities that options, in `units`, replace.
 pub fn apply(
     options: &ThrowOptions,
     units: Units,

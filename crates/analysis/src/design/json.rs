@@ -54,8 +54,7 @@ impl Design {
         })
     }
 
-    /// Text of a release file: the throw of the design, with parameters, coefficients, wind and known inputs of
-    /// `release`. `model` is the model's name or path.
+    /// Release file of the design's throw, with the constants and winds of `release`, for the model `model`.
     pub fn release_toml(&self, model: &str, release: &Release) -> String {
         let mut text = format!(
             "model = {}\nuntil = \"ground\"\n\n[throw]\n",

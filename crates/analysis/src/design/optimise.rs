@@ -85,8 +85,7 @@ const ON: f64 = 1e-4;
 /// Weight of the linearized constraints relative to the curvature of the Lagrangian in the quadratic model.
 const STIFF: f64 = 1e6;
 
-/// Minimizes the violation of the constraints by Gauss–Newton steps in a trust region. `None` if the problem has no
-/// finite values at the start.
+/// Minimizes the violation of the constraints by Gauss–Newton steps in a trust region; `None` if not finite at first.
 pub fn meet(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let at = from.map(|v| v.clamp(0.0, 1.0));
     let values = problem(&at, false).filter(Values::is_finite)?;

@@ -17,8 +17,7 @@ const MAX_STEPS: usize = 40;
 pub struct Path<'f> {
     pub(crate) flights: &'f ThrowFlights<'f>,
     pub(crate) layout: Option<SensitivityLayout>,
-    /// Integrated trajectory. With derivatives, each state vector is followed by the sensitivity matrix S, row by row
-    /// and with padding (see [`SensitivityLayout`]).
+    /// Trajectory; with derivatives, the padded sensitivity matrix follows each state (see [`SensitivityLayout`]).
     pub trajectory: Trajectory,
     /// Column of S of each quantity with respect to which the path is differentiated.
     pub(crate) columns: Vec<usize>,
@@ -109,8 +108,7 @@ impl Path<'_> {
         found
     }
 
-    /// Time in an interval, s, at which the derivative of the squared distance from the point `to` becomes positive; an
-    /// end of the interval if it does not.
+    /// Time in an interval, s, at which the squared distance from the point `to` begins to grow, or an end of it.
     fn refined(
         &self,
         mut from: f64,

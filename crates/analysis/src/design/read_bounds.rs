@@ -16,9 +16,6 @@ const MAX_FILE_BYTES: u64 = 1 << 20;
 
 impl Bounds {
     /// Reads a bounds file (TOML), whose values replace those of [`Bounds::standard`].
-    ///
-    /// # Errors
-    /// [`ReleaseError`] with all faults of the file, or if it cannot be read.
     pub fn read_file(path: &Path, body: &ThrownBody) -> Result<Bounds, ReleaseError> {
         read_text(path, "a file of bounds", MAX_FILE_BYTES, |file, text| {
             Bounds::read(file, text, body)
@@ -26,9 +23,6 @@ impl Bounds {
     }
 
     /// Parses the text of a bounds file; `file` is its name in messages.
-    ///
-    /// # Errors
-    /// [`ReleaseError`] with all faults of the file.
     pub fn read(file: &str, text: &str, body: &ThrownBody) -> Result<Bounds, ReleaseError> {
         let mut reader = BoundsReader(Reader::new(text));
         let bounds = reader.bounds(body);
@@ -60,12 +54,6 @@ impl<'t> BoundsReader<'t> {
         Some(bounds)
     }
 
-    /// Reports a fault.
-    fn refuse<V>(&mut self, span: Range<usize>, message: impl Into<String>) -> Option<V> {
-        self.0.fault(span, message);
-        None
-    }
-
     /// Index in [`FIELDS`] of the quantity called `name`; a fault if a throw of the body does not have it.
     fn field(&mut self, name: &str, span: Range<usize>, body: &ThrownBody) -> Option<usize> {
         let known = FIELDS.iter().position(|(known, ..)| *known == name);
@@ -75,7 +63,7 @@ impl<'t> BoundsReader<'t> {
                 let names = FIELDS.map(|(name, ..)| name).join(", ");
                 let message =
                     format!("unknown key {name:?}; expected {names}, obstacle, circle or scatter");
-                self.refuse(span, message)
+                self.0.refuse(span, message)
             }
             None => {
                 let model = &body.model.name;
@@ -83,7 +71,7 @@ impl<'t> BoundsReader<'t> {
                     "found {name}, but the model {model} is a point mass, which has no attitude; expected speed, heading, \
                      launch and height alone"
                 );
-                self.refuse(span, message)
+                self.0.refuse(span, message)
             }
         }
     }
@@ -108,17 +96,17 @@ impl<'t> BoundsReader<'t> {
                     "{name} is a list of {}; expected the least and the greatest value, as in [1, 2]",
                     items.len()
                 );
-                return self.refuse(value.span(), message);
+                return self.0.refuse(value.span(), message);
             }
         };
         if least > greatest {
             let message =
                 format!("{name} is from {least} to {greatest}; expected the least value first");
-            return self.refuse(value.span(), message);
+            return self.0.refuse(value.span(), message);
         }
         let faults = [least, greatest].map(|end| Throw::check_field(name, end).err());
         match faults.into_iter().flatten().next() {
-            Some(fault) => self.refuse(value.span(), fault.to_string()),
+            Some(fault) => self.0.refuse(value.span(), fault.to_string()),
             None => Some((least, greatest)),
         }
     }
@@ -139,14 +127,15 @@ impl<'t> BoundsReader<'t> {
             Some("right") => Some(Side::Right),
             _ => {
                 let expected = "expected \"left\" or \"right\", or none for either";
-                self.refuse(value.span(), format!("side is something else; {expected}"))
+                self.0
+                    .refuse(value.span(), format!("side is something else; {expected}"))
             }
         });
         let (x, y, radius) = (x?, y?, radius?);
         if radius <= 0.0 {
             let message =
                 format!("the radius of the obstacle is {radius}; expected a number above 0");
-            return self.refuse(value.span(), message);
+            return self.0.refuse(value.span(), message);
         }
         Some(Obstacle {
             place: Vector2::new(x, y),
@@ -164,7 +153,7 @@ impl<'t> BoundsReader<'t> {
         let number = self.number(radius, "radius", "a number of metres")?;
         if number <= 0.0 {
             let message = format!("the radius is {number}; expected a number above 0");
-            return self.refuse(radius.span(), message);
+            return self.0.refuse(radius.span(), message);
         }
         Some(number)
     }
@@ -204,7 +193,7 @@ impl<'t> BoundsReader<'t> {
         let items = value.get_ref().as_array();
         let Some(items) = items.filter(|items| items.len() == 3) else {
             let message = "wind has other than three standard deviations; expected [x, y, z], m/s";
-            return self.refuse(value.span(), message);
+            return self.0.refuse(value.span(), message);
         };
         let mut wind = [0.0; 3];
         for (sd, item) in wind.iter_mut().zip(items.iter()) {
@@ -218,7 +207,7 @@ impl<'t> BoundsReader<'t> {
         if sd < 0.0 {
             let message =
                 format!("the standard deviation of {name} is {sd}; expected 0 or a number above");
-            return self.refuse(value.span(), message);
+            return self.0.refuse(value.span(), message);
         }
         Some(sd)
     }
@@ -231,7 +220,7 @@ impl<'t> BoundsReader<'t> {
                 DeValue::Integer(integer) => integer.as_str().to_owned(),
                 other => format!("a {}", other.type_str()),
             };
-            self.refuse(
+            self.0.refuse(
                 value.span(),
                 format!("{name} is {found}; expected {expected}"),
             )

@@ -47,8 +47,7 @@ impl Default for SearchOptions {
 pub struct Design {
     /// Goal of the search.
     pub goal: Goal,
-    /// Whether the throw meets the constraints of the goal: target, obstacle, level flight. The root sum square of the
-    /// violations, in m and m/s, is then below 1e-3.
+    /// Whether the throw meets the constraints of the goal: root sum square of their violations (m, m/s) below 1e-3.
     pub feasible: bool,
     /// The throw; if none meets the constraints, the one that violates them least.
     pub throw: Throw,

@@ -16,8 +16,7 @@ pub struct Sensitivity {
     pub landing: Vector3<f64>,
     /// Derivative of the duration of the flight, s per unit of the quantity.
     pub time: f64,
-    /// Derivative of the value by which the goal is judged ([`Design::figure`](crate::design::Design::figure)), per unit of the quantity; `None` for a
-    /// distance from a target or a spread.
+    /// Derivative of [`Design::figure`](crate::design::Design::figure) per unit; `None` for a distance or a spread.
     pub figure: Option<f64>,
     /// What one unit less and one unit more change, each from a separate flight; `None` if it cannot be flown.
     pub one_unit: [Option<OneUnit>; 2],
@@ -35,9 +34,6 @@ pub struct OneUnit {
 }
 
 /// Influence of each quantity that the throw and the body have on the landing, in the order of [`FIELDS`].
-///
-/// # Errors
-/// [`ThrowFlightError`] if the throw cannot be flown.
 pub fn sensitivities(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

@@ -21,13 +21,10 @@ pub enum ThrowFlightError {
     Integration(#[from] IntegrationError),
     /// The position of the mass centre is not given by three states of the model, so no landing can be detected.
     #[error(
-        "the position of the body of the model {model} is not three of its states; expected a model whose body states \
+        "the position of the body of the model {0} is not three of its states; expected a model whose body states \
          `position (x, y, z)`"
     )]
-    NoPosition {
-        /// Name of the model whose states do not give the position of the mass centre.
-        model: String,
-    },
+    NoPosition(String),
 }
 
 /// Quantity with respect to which a path is differentiated.
@@ -53,10 +50,6 @@ pub struct ThrownBody {
 
 impl ThrownBody {
     /// Compiles a model.
-    ///
-    /// # Errors
-    /// [`ThrowFlightError::Throw`] if the model has no body; [`ThrowFlightError::NoPosition`] if the coordinates of the
-    /// mass centre are not states of the model.
     pub fn new(model: Model) -> Result<ThrownBody, ThrowFlightError> {
         let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
         let layout = compiled.layout();
@@ -78,9 +71,7 @@ impl ThrownBody {
                 thrown,
                 model,
             }),
-            _ => Err(ThrowFlightError::NoPosition {
-                model: model.name.clone(),
-            }),
+            _ => Err(ThrowFlightError::NoPosition(model.name.clone())),
         }
     }
 
@@ -120,9 +111,6 @@ pub struct ThrowFlights<'b> {
 
 impl ThrowFlights<'_> {
     /// State at release for which the body has the motion of the throw. `near` is that of a similar throw, or none.
-    ///
-    /// # Errors
-    /// [`ThrowError`] if no state has the motion of the throw.
     pub fn state(&self, throw: &Throw, near: Option<&[f64]>) -> Result<Vec<f64>, ThrowError> {
         let thrown = &self.body.thrown;
         match near {
@@ -132,9 +120,6 @@ impl ThrowFlights<'_> {
     }
 
     /// Integrates the flight from a state at release to the ground, without derivatives.
-    ///
-    /// # Errors
-    /// [`IntegrationError`] if the integration fails, or the flight leaves the model's limits or does not end.
     pub fn trajectory(
         &self,
         state: &[f64],
@@ -245,8 +230,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Derivatives of the time at which the path is nearest to the point `to`, s per unit of each quantity; `self` must
-    /// be the nearest point of the path.
+    /// Derivatives of the time of the nearest point `self` of the path to `to`, s per unit of each quantity.
     pub fn nearest_time_by(&self, to: Vector3<f64>) -> Vec<f64> {
         let away = self.position - to;
         let slope = self.velocity.norm_squared() + away.dot(&self.acceleration);

@@ -46,16 +46,13 @@ pub struct AxisDerivatives {
     pub lift: f64,
     /// Decay rate δ of the angular rates normal to the axis due to damping, 1/s: −q A d C_Mq/I_d.
     pub damping: f64,
-    /// Angular acceleration κ due to the pitching moment, per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d; positive
-    /// if deviations grow.
+    /// Angular acceleration κ per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d; positive if deviations grow.
     pub pitching: f64,
-    /// Angular acceleration μ due to the Magnus moment, normal to the plane of the angle of attack, per rad of it, 1/s²; 0
-    /// for a body that does not fly along its axis.
+    /// Angular acceleration μ by the Magnus moment, per rad of the angle of attack, 1/s²; 0 if not along the axis.
     pub magnus: f64,
     /// Frequency ν of the nutation without aerodynamic moments, rad/s: I_a r/I_d with the spin r.
     pub gyroscopic: f64,
-    /// Aerodynamic moment about d2, to the left and normal to the axis, divided by I_d, 1/s²; at the state about which the
-    /// motion is linearised.
+    /// Aerodynamic moment about d2, to the left and normal to the axis, divided by I_d, 1/s², at the state.
     pub moment: f64,
 }
 
@@ -65,23 +62,19 @@ pub struct Criteria {
     /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ, or S_g = ν²/(4 (κ − a δ)) along the axis. Spin and damping
     /// stabilise the axis if it is above 1; it is infinite or negative where the pitching moment does not destabilise it.
     pub gyroscopic_factor: f64,
-    /// Dynamic stability factor S_d = 2 (μ + a ν)/((a + δ) ν) of a spinning body that flies along its axis; both
-    /// motions of the axis decay if 1/S_g < S_d (2 − S_d).
+    /// Dynamic stability factor S_d = 2 (μ + a ν)/((a + δ) ν) along the axis; stable if 1/S_g < S_d (2 − S_d).
     pub dynamic_factor: Option<f64>,
     /// Whether ν² + δ² + 2 a δ > κ; along the axis, whether S_g > 1 or κ ≤ a δ.
     pub gyroscopic: bool,
-    /// Whether a (ν² + δ²) > κ δ: lift turns the path faster than damping lets the axis drift. Along the axis, whether
-    /// the slower of its two circular motions decays.
+    /// Whether a (ν² + δ²) > κ δ: lift turns the path faster than the axis drifts; along the axis, the slower motion.
     pub slow: bool,
-    /// Whether the wobble decays: (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ. Along the axis, whether the faster of
-    /// its two circular motions decays.
+    /// Whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ: the wobble, or the faster motion, decays.
     pub wobble: bool,
     /// Frequency of the nutation, |ν| − κ/(2 |ν|), rad/s, to first order in κ/ν².
     pub nutation: f64,
     /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s.
     pub nutation_decay: f64,
-    /// Rate at which the axis tilts to the right, rad/s: −M/(I_a r) with the moment M about d2 (Crowther and Potts). NaN
-    /// for a body that flies along its axis.
+    /// Rate of tilt to the right, rad/s: −M/(I_a r), M about d2 (Crowther and Potts); NaN along the axis.
     pub roll_rate: f64,
 }
 

@@ -29,20 +29,14 @@ pub enum StabilityError {
     #[error(transparent)]
     Throw(#[from] ThrowError),
     /// The model is a point mass, which has no attitude.
-    #[error("the model {model} is a point mass, which has no attitude; expected a rigid body")]
-    PointMass {
-        /// Name of the model.
-        model: String,
-    },
+    #[error("the model {0} is a point mass, which has no attitude; expected a rigid body")]
+    PointMass(String),
     /// The states do not reach every motion of a free rigid body near the state.
     #[error(
-        "the motion of {model} is constrained: its states do not reach every small change of position, velocity, \
+        "the motion of {0} is constrained: its states do not reach every small change of position, velocity, \
          attitude and angular velocity; expected a free rigid body"
     )]
-    Constrained {
-        /// Name of the model.
-        model: String,
-    },
+    Constrained(String),
     /// The linearised motion is not finite at the state.
     #[error(
         "the linearised motion is not finite there; expected a state within the model's limits"
@@ -62,15 +56,10 @@ pub struct Body {
 
 impl Body {
     /// Compiles a model for linearisation.
-    ///
-    /// # Errors
-    /// [`StabilityError::Throw`] if the model has no body, [`StabilityError::PointMass`] if its body has no attitude.
     pub fn new(model: Model) -> Result<Body, StabilityError> {
         let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
         if !thrown.has_attitude() {
-            return Err(StabilityError::PointMass {
-                model: model.name.clone(),
-            });
+            return Err(StabilityError::PointMass(model.name.clone()));
         }
         Ok(Body {
             model,
@@ -123,10 +112,6 @@ pub struct Linearised {
 
 impl BoundBody<'_> {
     /// Linearises the motion about a state of the model at time `t`, s.
-    ///
-    /// # Errors
-    /// [`StabilityError::Constrained`] if the states of the model do not reach every motion near the state;
-    /// [`StabilityError::NotFinite`] if the linearised motion is not finite there.
     pub fn linearise(&self, t: f64, state: &[f64]) -> Result<Linearised, StabilityError> {
         flight::cancellation::stop_if_cancelled();
         let thrown = &self.body.thrown;
@@ -184,7 +169,7 @@ impl BoundBody<'_> {
         let missed = rows.map(|row| missed.row(row).amax());
         if missed.fold(0.0, f64::max) > REACHED {
             let model = self.body.model.name.clone();
-            return Err(StabilityError::Constrained { model });
+            return Err(StabilityError::Constrained(model));
         }
         let moved = rates_by_state * states;
         let mut matrix = DMatrix::zeros(12, 12);
@@ -225,8 +210,7 @@ impl BoundBody<'_> {
         })
     }
 
-    /// Acceleration of the mass centre (m/s²) and angular acceleration (rad/s²) in inertial axes at a state; `None` if a
-    /// component is not finite.
+    /// Acceleration (m/s²) and angular acceleration (rad/s²) in inertial axes at a state; `None` if not finite.
     pub fn accelerations(&self, state: &[f64]) -> Option<(Vector3<f64>, Vector3<f64>)> {
         let mut f: Box<[f64]> = vec![0.0; state.len()].into();
         self.bound.rhs().derivative(0.0, &state.into(), &mut f);

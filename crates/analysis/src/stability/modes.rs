@@ -5,23 +5,19 @@ use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
 use crate::stability::linearise::Linearised;
 
-/// Greatest element of a column of the linearised system, relative to the norm of its matrix, for a coordinate on which
-/// no rate of change depends.
+/// Greatest element of a column, relative to the matrix's norm, for a coordinate on which no rate of change depends.
 const IGNORABLE: f64 = 1e-9;
 
 /// Kind of a mode of the linearised motion, by the variables that change most in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeKind {
-    /// The body axis circles at about the spin times the ratio of the axial to the diametral moment of inertia: a
-    /// wobble.
+    /// The body axis circles at about the spin times the ratio of axial to diametral inertia: a wobble.
     Nutation,
-    /// The body axis oscillates without gyroscopic stiffness: pitching or coning of a body that spins little or not at
-    /// all.
+    /// The body axis oscillates without gyroscopic stiffness: pitching or coning with little or no spin.
     ShortPeriod,
     /// The angle of attack decays or grows without oscillation, because lift turns the path.
     Incidence,
-    /// Slow precession of the body axis: axis and direction of flight change together, more slowly than in the
-    /// nutation.
+    /// Slow precession: axis and direction of flight change together, more slowly than in the nutation.
     Precession,
     /// Slow oscillation in which speed and climb are exchanged.
     Phugoid,
@@ -56,8 +52,7 @@ pub struct Mode {
     pub value: Complex<f64>,
     /// Kind of the mode.
     pub kind: ModeKind,
-    /// Fractions of the squared amplitude that are tilt of the axis, change of the direction of flight, relative change
-    /// of speed, and relative change of spin (of at least 1 rad/s); they sum to 1.
+    /// Fractions of the squared amplitude that are tilt, change of direction, and relative changes of speed and spin.
     pub shares: [f64; 4],
 }
 
@@ -94,8 +89,7 @@ pub struct Modes {
     pub is_symmetric: bool,
 }
 
-/// Modes of a linearised motion in axes that rotate about the vertical at the rate `turn`, rad/s: 0 for an instant of a
-/// flight, and the rate of change of the heading in a steady turn.
+/// Modes in axes that rotate about the vertical at the rate `turn`, rad/s: 0, or that of a steady turn.
 pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     let n = linearised.axis;
     // Coordinates: displacement 3, velocity 3, tilt of the axis 2, turn about it 1, angular velocity 3.

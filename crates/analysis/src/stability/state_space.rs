@@ -5,8 +5,7 @@ use model_spec::model::Model;
 use model_spec::unit::Unit;
 use nalgebra::DMatrix;
 
-/// Equations of a model linearised about a state: small departures x of the states and u of the scalar inputs obey
-/// ẋ = A x + B u, in SI units.
+/// Equations linearised about a state: departures x of states and u of inputs obey ẋ = A x + B u, in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateSpace {
     /// Names of the states, the rows of both matrices and the columns of A.

@@ -40,8 +40,7 @@ const STARTS: [[f64; 4]; 8] = [
     [15.0, -0.3, 0.05, -1.0],
 ];
 
-/// Steady flight with the given spin, rad/s about the third axis (negative for a right-hander's backhand); of several
-/// that with the slowest turn, `None` if none is found.
+/// Steady flight with the given spin, rad/s about the third axis (negative: a right-hander's backhand).
 pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     let found = STARTS
         .into_iter()
@@ -70,9 +69,8 @@ fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     }
 }
 
-/// Acceleration (three components) and angular acceleration (two, normal to the axis) of a motion, as in [`motion`],
-/// less those of steady flight, in units of 10 m/s² and 10 rad/s²; also the state. `None` if no state has the motion or
-/// a residual is not finite.
+/// Acceleration (three components) and angular acceleration (two, normal to the axis) of a motion less those of steady
+/// flight, in 10 m/s² and 10 rad/s²; also the state. `None` if not finite or without a state.
 fn residual(
     body: &BoundBody<'_>,
     of: &DVector<f64>,

@@ -22,18 +22,12 @@ pub enum FolderError {
     /// The folder holds parts or results of another computation, by its fingerprint.
     #[error(
         "{} holds parts or results of other inputs, another model or machine; expected a new or empty folder, or the same inputs to go on",
-        path.display()
+        .0.display()
     )]
-    OtherWork {
-        /// Path of the folder.
-        path: PathBuf,
-    },
+    OtherWork(PathBuf),
     /// The folder holds other files.
-    #[error("{} holds files that this command did not write; expected a new or empty folder", path.display())]
-    Foreign {
-        /// Path of the folder.
-        path: PathBuf,
-    },
+    #[error("{} holds files that this command did not write; expected a new or empty folder", .0.display())]
+    Foreign(PathBuf),
     /// A file or folder cannot be read or written.
     #[error("{}: {source}", path.display())]
     Io {
@@ -52,8 +46,7 @@ pub enum FolderError {
     },
 }
 
-/// SHA-256 (hexadecimal) of the text of `of` and of whether this machine fuses multiplications and additions, on which
-/// the last bits of results depend. The text is not stored.
+/// SHA-256 (hexadecimal) of the text of `of` and of whether this machine fuses multiplications and additions.
 pub fn fingerprint(of: impl Display) -> String {
     struct Hasher(Sha256);
     impl fmt::Write for Hasher {
@@ -70,9 +63,6 @@ pub fn fingerprint(of: impl Display) -> String {
 }
 
 /// Part numbers of the share number `share`, from 1, of `of` consecutive shares of `count` parts.
-///
-/// # Errors
-/// [`FolderError::NoPart`] if `share` is not in 1 to `of`.
 pub fn share_of(count: u64, (share, of): (u64, u64)) -> Result<std::ops::Range<u64>, FolderError> {
     if !(1..=of).contains(&share) {
         return Err(FolderError::NoPart { part: share, of });
@@ -90,9 +80,6 @@ pub struct PartsFolder {
 impl PartsFolder {
     /// Opens a folder that is new, empty or holds parts of the same computation (equal `fingerprint`). In a new folder the
     /// description `begun` and the fingerprint are written to `parts.json`.
-    ///
-    /// # Errors
-    /// [`FolderError`] if the folder cannot be read or written, or holds another computation or other files.
     pub fn open(path: &Path, fingerprint: String, mut begun: Value) -> Result<Self, FolderError> {
         let io = |source| FolderError::Io {
             path: path.to_path_buf(),
@@ -106,12 +93,12 @@ impl PartsFolder {
         let file = path.join(BEGUN);
         match fs::read_to_string(&file) {
             Ok(text) if folder.own(&text).is_some() => {}
-            Ok(_) => return Err(FolderError::OtherWork { path: folder.path }),
+            Ok(_) => return Err(FolderError::OtherWork(folder.path)),
             Err(e) if e.kind() == io::ErrorKind::NotFound => {
                 let mut entries = fs::read_dir(path).map_err(io)?.flatten();
                 // Another process may have begun the same computation in the meantime.
                 if entries.any(|entry| !is_unfinished(&entry)) && !file.is_file() {
-                    return Err(FolderError::Foreign { path: folder.path });
+                    return Err(FolderError::Foreign(folder.path));
                 }
                 folder.write_json(BEGUN, &mut begun)?;
             }
@@ -143,17 +130,11 @@ impl PartsFolder {
     }
 
     /// Writes `summary.json`, and adds the fingerprint to `json`; from then on the computation is complete.
-    ///
-    /// # Errors
-    /// [`FolderError::Io`] if the file cannot be written.
     pub fn write_summary(&self, json: &mut Value) -> Result<(), FolderError> {
         self.write_json(SUMMARY, json)
     }
 
     /// Writes a text file atomically and syncs it to the disk.
-    ///
-    /// # Errors
-    /// [`FolderError::Io`] if the file cannot be written.
     pub fn write(&self, path: &Path, text: &str) -> Result<(), FolderError> {
         write_atomic(path, text).map_err(|source| FolderError::Io {
             path: path.to_path_buf(),

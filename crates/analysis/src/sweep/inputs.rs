@@ -108,9 +108,8 @@ impl<'p> Inputs<'p> {
         }
     }
 
-    /// Writes the initial states `x` and the parameters `p` of a flight for the drawn `values`; a varied quaternion is
-    /// scaled to length 1. `false` if a value is out of its bounds or no state has the motion of the throw: such a flight
-    /// is not simulated.
+    /// Writes the initial states `x` and parameters `p` of a flight for the drawn `values`, with quaternions of length
+    /// 1; `false` if one is out of its bounds or no state has the motion: such a flight is not simulated.
     pub(crate) fn start(
         &mut self,
         flight: u64,

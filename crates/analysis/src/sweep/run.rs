@@ -54,8 +54,7 @@ pub enum SweepError {
 pub struct SweepOptions<'a> {
     /// Number of threads; at least 1.
     pub threads: usize,
-    /// Share of the parts to compute, if several processes share one folder: its number from 1, and the number of shares.
-    /// `None` computes all parts and joins them.
+    /// Share of the parts to compute, its number from 1 and the number of shares; `None` for all, joined.
     pub share: Option<(u64, u64)>,
     /// Whether the table of flights is also written as CSV.
     pub csv: bool,

@@ -8,8 +8,7 @@ const MIN_MAGNITUDE: f64 = 1e-9;
 /// Maximum bin number, for magnitudes from about 1e12; it limits the memory.
 const MAX_BIN: i32 = 242_000;
 
-/// Counts of values in logarithmic bins: pairs of bin and count in ascending order of the values. Negative bins hold
-/// negative values, bin 0 zeros.
+/// Counts of values in logarithmic bins, ascending; negative bins hold negative values, bin 0 zeros.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sketch(Vec<(i32, u64)>);
 

@@ -206,8 +206,7 @@ pub(crate) fn join(
     })
 }
 
-/// Landing places, m, of about `most` of the flights that landed, in the table at `from`, or of all if there are fewer; empty if
-/// the model has no place.
+/// Landing places, m, of about `most` of the flights in the table at `from`; empty if the model has no place.
 pub(crate) fn landings(
     from: &Path,
     inputs: usize,
@@ -234,8 +233,7 @@ pub(crate) fn landings(
     Ok(landings)
 }
 
-/// Whether a flight is among a share of all. Its number is scattered first: flights at equal steps would be at few points of a
-/// grid.
+/// Whether a flight is in the share of all; its number is scattered, as equal steps would meet few grid points.
 fn is_drawn(flight: u64, share: f64) -> bool {
     // Fibonacci hashing, Knuth, The Art of Computer Programming 3, 6.4.
     let scattered = flight.wrapping_mul(0x9e37_79b9_7f4a_7c15);

@@ -19,8 +19,7 @@ pub enum SummaryQuantity {
     Hyzer,
     /// Spin at the release: of a body about its third axis, positive clockwise seen from above; of a ball its size.
     Spin,
-    /// Tilt of the axis of a ball's backspin about the direction of launch; positive where it turns the flight to the
-    /// right.
+    /// Tilt of the axis of a ball's backspin about the direction of launch; positive if it turns the flight right.
     SpinAxis,
     /// Height of the mass centre above the ground at the release.
     Height,

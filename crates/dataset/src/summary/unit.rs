@@ -27,55 +27,41 @@ impl Dimension {
     }
 }
 
+use Dimension::{Angle, Length, Rate, Speed, Time};
+use std::f64::consts::{PI, TAU};
+
 /// Dimension, name, other spellings, and value of each unit in SI.
-const UNITS: [(Dimension, &str, &[&str], f64); 19] = [
-    (Dimension::Speed, "m/s", &["mps", "m/sec"], 1.0),
-    (Dimension::Speed, "mph", &["mi/h"], 0.44704),
-    (Dimension::Speed, "km/h", &["kph", "kmh"], 1.0 / 3.6),
-    (Dimension::Speed, "ft/s", &["fps"], 0.3048),
-    (Dimension::Speed, "kn", &["kt", "knots"], 1852.0 / 3600.0),
-    (Dimension::Angle, "rad", &[], 1.0),
-    (
-        Dimension::Angle,
-        "deg",
-        &["°", "degree", "degrees"],
-        std::f64::consts::PI / 180.0,
-    ),
-    (Dimension::Rate, "rad/s", &[], 1.0),
-    (
-        Dimension::Rate,
-        "rpm",
-        &["1/min"],
-        std::f64::consts::PI / 30.0,
-    ),
-    (
-        Dimension::Rate,
-        "deg/s",
-        &["°/s"],
-        std::f64::consts::PI / 180.0,
-    ),
-    (
-        Dimension::Rate,
-        "rev/s",
-        &["rps", "1/s"],
-        std::f64::consts::TAU,
-    ),
-    (Dimension::Length, "m", &["meters", "metres"], 1.0),
-    (Dimension::Length, "yd", &["yds", "yards"], 0.9144),
-    (Dimension::Length, "ft", &["feet", "foot"], 0.3048),
-    (Dimension::Length, "in", &["inch", "inches"], 0.0254),
-    (Dimension::Length, "cm", &[], 0.01),
-    (Dimension::Length, "mm", &[], 0.001),
-    (Dimension::Time, "s", &["sec", "seconds"], 1.0),
-    (Dimension::Time, "ms", &["msec"], 0.001),
+const UNITS: [(Dimension, &str, &str, f64); 19] = [
+    (Speed, "m/s", "mps m/sec", 1.0),
+    (Speed, "mph", "mi/h", 0.44704),
+    (Speed, "km/h", "kph kmh", 1.0 / 3.6),
+    (Speed, "ft/s", "fps", 0.3048),
+    (Speed, "kn", "kt knots", 1852.0 / 3600.0),
+    (Angle, "rad", "", 1.0),
+    (Angle, "deg", "° degree degrees", PI / 180.0),
+    (Rate, "rad/s", "", 1.0),
+    (Rate, "rpm", "1/min", PI / 30.0),
+    (Rate, "deg/s", "°/s", PI / 180.0),
+    (Rate, "rev/s", "rps 1/s", TAU),
+    (Length, "m", "meters metres", 1.0),
+    (Length, "yd", "yds yards", 0.9144),
+    (Length, "ft", "feet foot", 0.3048),
+    (Length, "in", "inch inches", 0.0254),
+    (Length, "cm", "", 0.01),
+    (Length, "mm", "", 0.001),
+    (Time, "s", "sec seconds", 1.0),
+    (Time, "ms", "msec", 0.001),
 ];
 
 impl SummaryUnit {
     /// The unit that `text` names, by its own or another spelling, in any case.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim().to_lowercase();
-        let is = |(_, name, others, _): &(_, &str, &[&str], _)| {
-            *name == text || others.contains(&&*text)
+        let is = |(_, name, others, _): &(_, &str, &str, _)| {
+            *name == text
+                || others
+                    .split(' ')
+                    .any(|other| other == text && !other.is_empty())
         };
         UNITS.iter().position(is).map(SummaryUnit)
     }

@@ -19,8 +19,7 @@ const TOLERANCE: f64 = 1e-10;
 /// Number of decimals to which sample times in seconds are rounded before the simulation, so that tables remain narrow.
 const TIME_DECIMALS: i32 = 6;
 
-/// Model, settings and marker positions that are shared by all flights of a synthetic dataset, for simulating each
-/// flight.
+/// Model, settings and marker positions that all flights of a synthetic dataset share.
 pub(super) struct Maker<'a> {
     pub model: &'a Model,
     pub plan: &'a Plan,
@@ -29,8 +28,7 @@ pub(super) struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    /// Simulates the flight of index `index` in the dataset from launch conditions (`release`) whose initial state is
-    /// varied at random. Returns the flight with measurement noise, and its true initial state.
+    /// Simulates the flight `index` from `release` with a random initial state; returns it with noise, and that state.
     pub fn flight(
         &self,
         index: usize,
@@ -72,8 +70,7 @@ impl Maker<'_> {
         Ok((flight, state))
     }
 
-    /// Sample times, s after launch, of the flight with the launch conditions `release` and the random initial state
-    /// `state`.
+    /// Sample times, s after launch, of the flight with the launch conditions `release` and the initial state `state`.
     fn times(
         &self,
         release: &Release,
@@ -95,8 +92,7 @@ impl Maker<'_> {
         Ok((0..count as usize).map(time).collect())
     }
 
-    /// Time after launch at which the body reaches the ground, s; or `watched`, the end of the observed time, s, if
-    /// that is earlier. `watched` is `None` if the flight is observed until the ground.
+    /// Time at which the body reaches the ground, s, or `watched`, the end of the observed time, if that is earlier.
     fn landing(
         &self,
         parameters: &FlightParameters,

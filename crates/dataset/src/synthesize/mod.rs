@@ -21,8 +21,7 @@ use self::maker::Maker;
 use crate::{Dataset, Marker};
 
 const MAX_FLIGHTS: usize = 100_000;
-/// Maximum product of the numbers of samples per flight, markers and flights of a synthetic dataset; it limits the
-/// memory used.
+/// Maximum product of samples per flight, markers and flights of a synthetic dataset; it limits the memory used.
 const MAX_POINTS: f64 = 2e7;
 const MAX_RATE: f64 = 1e6;
 
@@ -33,9 +32,8 @@ pub struct Plan {
     pub flights: usize,
     /// Number of held-out flights; they are the last ones of the dataset.
     pub held_out: usize,
-    /// Time for which each flight is observed, s; `None` for the duration in the launch conditions ([`Release`]) of the
-    /// flight. Flights whose launch conditions specify the ground as the end are observed until they reach the ground,
-    /// but not longer than this time.
+    /// Time for which each flight is observed, s; `None` for the duration in its [`Release`]. Flights that end at the
+    /// ground are observed until then, but not longer than this time.
     pub duration: Option<f64>,
     /// Sampling rate, Hz.
     pub rate: f64,
@@ -103,9 +101,8 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
     }
 }
 
-/// Generates a synthetic dataset: simulates flights of a model and measures its markers with random errors. The launch
-/// conditions in `releases` are used in rotation, and the initial state of each flight varies at random about the one
-/// specified in its launch conditions.
+/// Simulates flights of a model and measures its markers with errors. The launch conditions in `releases` are used in
+/// turn, and the initial state of each flight varies at random about that of its launch conditions.
 ///
 /// # Errors
 /// [`SynthesisError::Plan`] or [`SynthesisError::OutOfRange`] if the plan is invalid; [`SynthesisError::Flight`] if a

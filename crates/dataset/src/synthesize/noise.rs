@@ -8,21 +8,18 @@ use rand_distr::StandardNormal;
 
 use super::error::OutOfRange;
 
-/// Measurement errors that are added to true positions. The default is white noise of 1.5 mm without outliers and
-/// dropouts.
+/// Measurement errors added to true positions; by default white noise of 1.5 mm without outliers and dropouts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corruption {
     /// Standard deviation of the noise along each axis, m.
     pub sigma: f64,
-    /// Lag-1 autocorrelation of the noise, −0.999 to 0.999. The noise is a stationary AR(1) process with standard
-    /// deviation `sigma`.
+    /// Lag-1 autocorrelation of the noise, −0.999 to 0.999: a stationary AR(1) process of deviation `sigma`.
     pub ar1: f64,
     /// Fraction of marker positions that are outliers.
     pub outliers: f64,
     /// Standard deviation of the additional error of an outlier along each axis, m.
     pub outlier_size: f64,
-    /// Fraction of marker positions that are missing, at most 0.9. Half of them are single dropouts, and half are in
-    /// runs of 3 to 12 consecutive samples of a marker.
+    /// Fraction of missing positions, at most 0.9: half of them singly, half in runs of 3 to 12 samples of a marker.
     pub dropouts: f64,
 }
 
@@ -46,9 +43,6 @@ const AHEAD: usize = 64;
 
 impl Corruption {
     /// Checks that every value is within its range.
-    ///
-    /// # Errors
-    /// [`OutOfRange`] for the first value that is outside its range.
     #[doc(hidden)]
     pub fn check(&self) -> Result<(), OutOfRange> {
         let within = OutOfRange::check;
@@ -69,8 +63,7 @@ enum Purpose {
     Dropouts,
 }
 
-/// Creates an independent random stream for each marker and purpose, so that an additional marker leaves the noise of
-/// the other markers unchanged.
+/// An independent random stream for each marker and purpose, so that a further marker leaves the others' noise alone.
 fn stream(seed: u64, marker: usize, purpose: Purpose) -> ChaCha12Rng {
     let purpose = match purpose {
         Purpose::Axis(axis) => axis,
@@ -82,8 +75,7 @@ fn stream(seed: u64, marker: usize, purpose: Purpose) -> ChaCha12Rng {
     random
 }
 
-/// Adds noise and outliers to `positions[sample][marker]`, m, and replaces dropouts by `None`. Missing positions
-/// (`None`) remain missing.
+/// Adds noise and outliers to `positions[sample][marker]`, m, and replaces dropouts by `None`.
 pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed: u64) {
     let markers = positions.iter().map(Vec::len).max().unwrap_or(0);
     for marker in 0..markers {
@@ -122,8 +114,7 @@ pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed
     }
 }
 
-/// Endless sequence of flags, one per sample, that state whether a marker is missing. The given fraction of samples is
-/// missing, half of them singly and half in runs.
+/// Flags, one per sample, whether a marker is missing: in the given fraction, half of it singly and half in runs.
 fn dropouts(fraction: f64, mut random: ChaCha12Rng) -> impl Iterator<Item = bool> {
     let [shortest, longest] = RUN;
     let mean = (shortest + longest) as f64 / 2.0;

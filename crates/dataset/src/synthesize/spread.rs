@@ -13,13 +13,11 @@ use super::error::OutOfRange;
 /// standard deviation `fraction` · max(|s|, scale), with a scale that depends on its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// Standard deviation of a state, relative to max(|state|, scale); with 0, all flights from the same launch
-    /// conditions have the same initial state.
+    /// Standard deviation of a state relative to max(|state|, scale); with 0, no state varies.
     pub fraction: f64,
     /// Scale for velocity states, m/s: `fraction` refers to this value if the magnitude of the state is smaller.
     pub speed: f64,
-    /// Scale for angle states, rad: `fraction` refers to this value if the magnitude of the state is smaller.
-    /// Half of this value is the scale for states of other units, such as the components of a quaternion.
+    /// Scale of angles, rad, for states of smaller magnitude; half of it for other units, such as quaternions.
     pub angle: f64,
     /// Scale for angular-rate states, rad/s: `fraction` refers to this value if the magnitude of the state is smaller.
     pub rate: f64,
@@ -40,16 +38,12 @@ const MAX_FRACTION: f64 = 2.0;
 
 impl Spread {
     /// Checks that `fraction` is within its allowed range.
-    ///
-    /// # Errors
-    /// [`OutOfRange`] if `fraction` is not between 0 and its maximum.
     #[doc(hidden)]
     pub fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::check("spread", self.fraction, 0.0, MAX_FRACTION)
     }
 
-    /// Standard deviation of the random variation of each state of a model about its value in `state`, SI; 0 for
-    /// positions.
+    /// Standard deviation of the random variation of each state about its value in `state`, SI; 0 for positions.
     #[doc(hidden)]
     pub fn deviations(&self, model: &Model, state: &[f64]) -> Vec<f64> {
         let each = model.states.iter().zip(state);

@@ -32,8 +32,7 @@ impl Axis {
         [x, if left_handed { -y } else { y }, z]
     }
 
-    /// Converts an attitude (unit quaternion w, x, y, z from body to room) from the file's right-handed axes to axes
-    /// with z up; `self` is the axis of the file that points up.
+    /// Converts an attitude (quaternion w, x, y, z from body to room) from right-handed axes with `self` up to z up.
     pub fn upright_attitude(self, quaternion: [f64; 4]) -> [f64; 4] {
         product(self.to_z(), quaternion)
     }

@@ -72,8 +72,7 @@ impl Column {
     }
 }
 
-/// Splits a column name with a unit at its end (`x_mm`, `x (mm)`, `x [mm]`) into the part before the unit and the unit;
-/// the unit is `None` if the name contains none.
+/// Splits a column name with a unit at its end (`x_mm`, `x (mm)`, `x [mm]`) before the unit; `None` without one.
 fn without_unit(name: &str) -> (&str, Option<&str>) {
     for (open, close) in [('(', ')'), ('[', ']')] {
         if let Some(rest) = name.strip_suffix(close)

@@ -4,16 +4,13 @@ use std::borrow::Cow;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-use crate::takes::error::{Fault, Location, TakeError};
+use crate::takes::{Fault, Location, TakeError};
 
 /// Reads a regular file of at most `largest` bytes; `what` describes the expected file in the error message.
-///
-/// # Errors
-/// [`TakeError`] for the whole file if it does not exist, cannot be read, is not a regular file or is larger than
-/// `largest`.
 pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError> {
-    let refused =
-        |found: String, expected: &str| Fault::new(Location::File, found, expected).of(file);
+    let refused = |found: String, expected: &str| {
+        TakeError::new(file, Fault::new(Location::File, found, expected))
+    };
     let unreadable = |error: std::io::Error| {
         let found = match error.kind() {
             // Operating systems word these errors differently.
@@ -59,8 +56,7 @@ pub(crate) fn text(bytes: &[u8]) -> Result<Cow<'_, str>, Fault> {
 /// Decodes the bytes of a table: UTF-8, UTF-16 with a byte-order mark, which is removed, or Latin-1; lines may end in a
 /// carriage return alone. Fails for NUL bytes and for bytes that are no character of these encodings.
 ///
-/// Numbers and separators have the same bytes in every encoding of one byte a character, so that only names could be
-/// decoded wrongly, and these have to agree with what the dataset declares.
+/// Numbers and separators are the same in every one-byte encoding; names have to agree with the dataset's anyway.
 pub(crate) fn decoded(bytes: &[u8]) -> Result<Cow<'_, str>, NotText> {
     let text = match bytes {
         [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes)?.into(),
@@ -74,8 +70,7 @@ pub(crate) fn decoded(bytes: &[u8]) -> Result<Cow<'_, str>, NotText> {
     Ok(with_newlines(&text).map_or(text, Cow::Owned))
 }
 
-/// Whether the bytes can be Latin-1: no NUL byte, no control character of its upper half, and no 0xff, which is more often
-/// damage than the letter ÿ.
+/// Whether the bytes can be Latin-1: no NUL, no upper control character, and no 0xff, more often damage than ÿ.
 fn is_latin1(bytes: &[u8]) -> bool {
     let is_shown = |&byte: &u8| byte != 0 && byte != 0xff && !(0x80..0xa0).contains(&byte);
     bytes.iter().all(is_shown)

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::error::{Fault, Location};
-use super::words::listed;
 use super::{
     Axis, Motion, Pose, Take, TakeError, Throw, ThrowOptions, find_throws, motion, rotated,
 };
 use crate::sensor::{attitude, spin_axis};
+use crate::takes::{Fault, Location};
 use crate::{Flight, Marker};
+use flight::table::listed;
 
 /// What the user states about the recordings of a body.
 #[derive(Clone, Debug, Default)]
@@ -54,12 +54,10 @@ pub enum Followed {
 
 impl ImportedTake {
     /// Finds the body and its free flights in the recording `take`, which was read from `file`.
-    ///
-    /// # Errors
-    /// [`TakeError`] if the axis that points up is not known or wrong, or if the markers are not found.
     pub fn new(take: &Take, file: &Path, options: &ImportOptions) -> Result<Self, TakeError> {
         let up = up_of(take, file, options.up)?;
-        let followed = Followed::find(take, options).map_err(|fault| fault.of(file))?;
+        let followed =
+            Followed::find(take, options).map_err(|fault| TakeError::new(file, fault))?;
         let labels = followed.labels(take);
         let mut turned = take.clone().with_z_up(up, options.left_handed);
         let found = find_throws(&turned, &labels, &ThrowOptions::default());
@@ -67,7 +65,7 @@ impl ImportedTake {
             && let Some(other) = other_up(take, &labels, options.left_handed, up)
         {
             let found = format!("no throw with {up} up, and free flights with {other} up");
-            return Err(fault(found, format!("--up {other}")).of(file));
+            return Err(TakeError::new(file, fault(found, format!("--up {other}"))));
         }
         let mut notes = take.notes.clone();
         if followed.is_pose() {
@@ -138,17 +136,11 @@ fn decisions(
 }
 
 /// Axis of the recording that points up: `stated`, or else the one that the file states.
-///
-/// # Errors
-/// [`TakeError`] if neither states it.
 pub fn up_of(take: &Take, file: &Path, stated: Option<Axis>) -> Result<Axis, TakeError> {
     stated.or(take.up).ok_or_else(|| {
         let expected = "the option --up, such as --up +z or --up +y";
-        fault(
-            "no statement of the axis that points up".into(),
-            expected.into(),
-        )
-        .of(file)
+        let found = "no statement of the axis that points up";
+        TakeError::new(file, fault(found.into(), expected.into()))
     })
 }
 
@@ -166,8 +158,7 @@ fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option
 }
 
 impl Followed {
-    /// Selects the points of a recording that are the markers: the label of such a point, or the name given to the
-    /// label, is the name of the marker. If no point matches, selects the recording's only body.
+    /// Selects the points that are the markers, by label or by the name given to it; if none matches, the only body.
     fn find(take: &Take, options: &ImportOptions) -> Result<Self, Fault> {
         let is_unknown = |label: &&String| !take.labels().any(|known| known == *label);
         if let Some(label) = options.labels.keys().find(is_unknown) {

@@ -116,8 +116,7 @@ impl Layout {
         self.points.is_empty() && self.bodies.is_empty()
     }
 
-    /// Reads the rows of the table into a recording, from the current row to the end of the file or to the first row
-    /// for which `ends` returns true.
+    /// Reads the table from the current row to the end of the file, or to the first row for which `ends` is true.
     pub fn samples(
         self,
         sheet: &mut Sheet<'_>,
@@ -185,8 +184,7 @@ impl Layout {
         Ok(take)
     }
 
-    /// Whether the current row has as many cells as the table has columns; false if the last row of the file is
-    /// truncated. Any other wrong number of cells is an error.
+    /// Whether the row has as many cells as columns; false if the last row is truncated, otherwise an error.
     fn is_whole(&self, sheet: &Sheet<'_>) -> Result<bool, Fault> {
         let (found, filled) = (sheet.width(), sheet.filled());
         let fault = |at, count| {

@@ -13,33 +13,30 @@ pub(crate) mod file;
 mod format;
 mod import;
 mod layout;
-pub(crate) mod number;
 mod options;
 mod quaternion;
 mod read;
-mod sheet;
 mod take;
 mod template;
 mod throws;
 mod unit;
-pub mod words;
 mod z_up;
 
 pub use axes::Axis;
-pub(crate) use error::Fault;
-pub use error::{Location, TakeError};
+pub use error::TakeError;
+pub use flight::table::Location;
+pub(crate) use flight::table::{Fault, Sheet, listed, separator, shown};
 pub use format::Format;
 pub(crate) use format::is_digitised;
 pub use import::{Followed, ImportOptions, ImportedTake, up_of};
 pub(crate) use layout::{
     Attitude, Clock, Layout, MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, Tracks, unique,
 };
-pub(crate) use number::{checked_rate, number};
 pub use options::ReadOptions;
+pub(crate) use options::checked_rate;
 pub(crate) use quaternion::product;
 pub use quaternion::rotated;
 pub use read::{parse, read};
-pub(crate) use sheet::{Sheet, separator};
 pub use take::{Body, Point, Pose, Take};
 pub use template::{
     CentreHeight, EstimatedMarker, EstimatedTemplate, FreeFlight, TemplateError, UpVote,
@@ -47,4 +44,3 @@ pub use template::{
 };
 pub use throws::{Cause, Cut, Motion, Throw, ThrowOptions, Throws, find_throws, motion};
 pub use unit::{LengthUnit, TimeUnit};
-pub(crate) use words::{listed, shown};

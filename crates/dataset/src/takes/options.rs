@@ -1,9 +1,8 @@
 //! Options that supply what the file of a recording does not state.
 
-use crate::takes::{Fault, Format, LengthUnit, Location, TimeUnit, checked_rate};
+use crate::takes::{Fault, Format, LengthUnit, Location, TimeUnit};
 
-/// Properties of a recording file that the user states, such as units. They supplement and override those that the file
-/// specifies.
+/// Properties of a recording that the user states, such as units; they override those that the file states.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// Format of the file; recognised by the content if `None`.
@@ -17,8 +16,7 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
-    /// Unit of length: the user's unit if it is given, otherwise the unit `stated` in the file. Adds a note if both are
-    /// given and differ. Fails if neither is given, with `location` as the location of the error.
+    /// Unit of length: the user's, or else the one `stated` in the file; a note if they differ, a fault without.
     pub(crate) fn length(
         &self,
         stated: Option<LengthUnit>,
@@ -37,8 +35,7 @@ impl ReadOptions {
         self.length.or(stated).ok_or_else(absent)
     }
 
-    /// Frames per second: the user's rate if it is given, otherwise the rate `stated` in the file. Adds a note if both
-    /// are given and differ. Fails if neither is given or the rate is out of range.
+    /// Frames per second: the user's, otherwise the rate `stated`; a note if they differ, a fault without a valid one.
     pub(crate) fn rate(
         &self,
         stated: Option<f64>,
@@ -57,4 +54,16 @@ impl ReadOptions {
         let rate = self.rate.or(stated).ok_or_else(absent)?;
         checked_rate(rate).map_err(|(found, expected)| Fault::new(location, found, expected))
     }
+}
+
+/// Maximum frame rate of a recording, Hz; a greater one is an error.
+const MAX_RATE: f64 = 1e6;
+
+/// Checks that a frame rate (Hz) is positive and at most [`MAX_RATE`]; the error has what was found and expected.
+pub(crate) fn checked_rate(rate: f64) -> Result<f64, (String, String)> {
+    if rate > 0.0 && rate <= MAX_RATE {
+        return Ok(rate);
+    }
+    let expected = format!("frames per second above 0, at most {MAX_RATE}");
+    Err((format!("the rate {rate}"), expected))
 }

@@ -10,8 +10,7 @@ pub(crate) fn product(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
     ]
 }
 
-/// Rotates the vector `v` from the body's axes to the axes of the room; `q` is the unit quaternion w, x, y, z of the
-/// body's attitude.
+/// Rotates the vector `v` from the body's axes to those of the room by the unit quaternion `q` (w, x, y, z).
 pub fn rotated(q: [f64; 4], v: [f64; 3]) -> [f64; 3] {
     let conjugate = [q[0], -q[1], -q[2], -q[3]];
     let [_, x, y, z] = product(product(q, [0.0, v[0], v[1], v[2]]), conjugate);

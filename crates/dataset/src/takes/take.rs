@@ -13,15 +13,13 @@ pub struct Take {
     pub points: Vec<Point>,
     /// Tracked rigid bodies, each with its poses.
     pub bodies: Vec<Body>,
-    /// Unit of the coordinates in the file, as specified in the file or by an option; the coordinates in this structure
-    /// are in m.
+    /// Unit of the coordinates in the file, from the file or an option; those in this structure are in m.
     pub length: LengthUnit,
     /// Axis of the file that points up; `None` if the file does not specify it.
     pub up: Option<Axis>,
     /// Whether the axes of the file are left-handed; `None` if this is specified neither in the file nor by its format.
     pub left_handed: Option<bool>,
-    /// Notes on decisions made while the file was read, such as values of the file that were overridden or columns left
-    /// out.
+    /// Notes on decisions made while reading, such as values that were overridden or columns left out.
     pub notes: Vec<String>,
 }
 

@@ -48,8 +48,7 @@ impl LengthUnit {
         (Self::Foot, "ft", 0.3048, &["feet", "foot"]),
     ];
 
-    /// Parses a unit from its symbol (`mm`), its name or the beginning of its name (`Millimeters`, `mete`), ignoring
-    /// case; `None` for any other text.
+    /// Parses a unit from its symbol (`mm`) or the beginning of its name (`Millimeters`, `mete`), in any case.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim().to_ascii_lowercase();
         let is = |symbol: &str, names: &[&str]| {

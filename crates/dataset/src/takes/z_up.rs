@@ -3,9 +3,8 @@
 use crate::takes::{Axis, Pose, Take, product};
 
 impl Take {
-    /// Converts the recording to right-handed axes with z up; `up` is the axis of the file that points up. If the axes
-    /// of the file are `left_handed`, the second horizontal axis is mirrored, and so is the second body-fixed axis of
-    /// each tracked body.
+    /// Converts the recording, whose axis `up` points up, to right-handed axes with z up. If they are `left_handed`,
+    /// the second horizontal axis and the second body-fixed axis of each body are mirrored.
     pub fn with_z_up(mut self, up: Axis, left_handed: bool) -> Self {
         let changed = |position: [f64; 3]| up.upright(left_handed, position);
         for position in self

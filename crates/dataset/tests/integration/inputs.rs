@@ -51,7 +51,7 @@ fn inputs_that_cannot_be_read_are_refused_with_their_place() {
         ("t,throttle\n0,1 V\n", "u.csv:2:2", "\"1 V\""),
         ("t,throttle\n0,inf\n", "u.csv:2:2", "\"inf\""),
         ("t,throttle\n0,1e400\n", "u.csv:2:2", "\"1e400\""),
-        ("t;throttle\n0;1,5\n", "u.csv:2:2", "\"1,5\""),
+        ("t;throttle\n0;1,5,0\n", "u.csv:2:2", "\"1,5,0\""),
         ("t,throttle\n0\n", "u.csv:2:2", "1 cells"),
         ("t,throttle\n0,1,2\n", "u.csv:2:3", "3 cells"),
         (
@@ -60,7 +60,11 @@ fn inputs_that_cannot_be_read_are_refused_with_their_place() {
             "no value in the column",
         ),
         ("t,throttle\n0,1\n100000,1\n", "u.csv:3:1", "milliseconds?"),
-        ("t,throttle\n0,1\n0.1,\"1\n", "u.csv:3:2", "\"\\\"1\""),
+        (
+            "t,throttle\n0,1\n0.1,\"1\n",
+            "u.csv:3:2",
+            "a quote that is not closed",
+        ),
     ];
     for (inputs, place, told) in cases {
         let error = with_inputs(TABLE, inputs).expect_err(inputs);

@@ -4,8 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Suffix appended to the name of the earlier results folder while it is replaced, on file systems that cannot exchange
-/// two folders in one step.
+/// Suffix of the earlier results folder while it is replaced, where two folders cannot be exchanged in one step.
 const OLD: &str = ".old";
 
 /// Name of the hidden folder in which this process prepares the results for the folder `name`.

@@ -19,11 +19,8 @@ const MAX_NAMED: usize = 3;
 #[non_exhaustive]
 pub enum ResultFolderError {
     /// The path is that of a file, or leads through a file, instead of a folder.
-    #[error("{} is a file, expected a folder", path.display())]
-    IsFile {
-        /// Path of the file that was found where a folder is expected.
-        path: PathBuf,
-    },
+    #[error("{} is a file, expected a folder", .0.display())]
+    IsFile(PathBuf),
     /// The folder contains files that no earlier run wrote, or results that were edited since.
     #[error(
         "{} holds files that hyzer did not write or that were edited ({}); expected a new or empty folder, or one of earlier results: move the files or choose another folder",
@@ -36,11 +33,8 @@ pub enum ResultFolderError {
         names: Vec<String>,
     },
     /// The last component of the path is not a folder name, as in `x/..`.
-    #[error("{} is not a valid folder name", path.display())]
-    NoName {
-        /// Path of the results folder as given by the caller, such as `x/..`.
-        path: PathBuf,
-    },
+    #[error("{} is not a valid folder name", .0.display())]
+    NoName(PathBuf),
     /// A file or folder cannot be read or written.
     #[error("{} cannot be written: {source}", path.display())]
     Io {
@@ -73,9 +67,7 @@ impl ResultFolder {
         };
         let target = absolute(path).map_err(failed)?;
         let (Some(parent), Some(name)) = (target.parent(), target.file_name()) else {
-            return Err(ResultFolderError::NoName {
-                path: path.to_path_buf(),
-            });
+            return Err(ResultFolderError::NoName(path.to_path_buf()));
         };
         let name = name.to_string_lossy();
         exchange::recover(parent, &name, &target);
@@ -83,7 +75,7 @@ impl ResultFolder {
         let existing = existing.unwrap_or(&target);
         if !existing.is_dir() {
             let path = existing.to_path_buf();
-            return Err(ResultFolderError::IsFile { path });
+            return Err(ResultFolderError::IsFile(path));
         }
         refuse_foreign(&target, path)?;
         try_writing(existing).map_err(failed)?;
@@ -172,8 +164,7 @@ impl ResultFolder {
     }
 }
 
-/// Writes files (paths and contents) to a folder that is new or empty: to a hidden folder beside it, which is then
-/// renamed.
+/// Writes files to a folder that is new or empty: to a hidden folder beside it, which is then renamed.
 ///
 /// # Errors
 /// [`io::Error`] if the path has no name, or the folder cannot be written or has been filled in the meantime.
@@ -214,8 +205,7 @@ fn write_part(part: &Path, files: &[ResultFile]) -> io::Result<()> {
 /// Number of bytes written to the disk at a time; small enough that a write takes well below a second.
 const CHUNK: usize = 1 << 20;
 
-/// Writes a new file and flushes it to the disk after each chunk. Chunks keep each system call short, because a process
-/// cannot be terminated during a write.
+/// Writes a new file, flushed after each chunk: a process cannot be terminated during a write.
 fn write_synced(path: &Path, contents: &[u8]) -> io::Result<()> {
     let mut file = std::fs::File::create(path)?;
     for chunk in contents.chunks(CHUNK) {
@@ -264,8 +254,7 @@ fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> 
     })
 }
 
-/// Paths of the files in a folder and its subfolders, relative to it, with `/` between names. No subfolder of a folder
-/// without a manifest is entered, since it may be large.
+/// Paths of the files in a folder and below, with `/` between names; without a manifest no subfolder is entered.
 pub(super) fn files_below(folder: &Path) -> io::Result<Vec<String>> {
     let is_ours = folder.join(MANIFEST).is_file();
     let (mut files, mut pending) = (Vec::new(), vec![String::new()]);

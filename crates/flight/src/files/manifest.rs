@@ -14,8 +14,7 @@ pub const MANIFEST: &str = ".hyzer-results";
 /// First line of a manifest: a comment for the user.
 const HEAD: &str = "# Files that hyzer wrote here. The next run replaces them, if there is no other file and none was edited.";
 
-/// List of the files that hyzer wrote to a results folder: path relative to the folder, and hashes of the contents,
-/// more than one only while the files are replaced in place.
+/// Files that hyzer wrote to a results folder: relative path and hashes, several only while replaced in place.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Manifest {
     files: BTreeMap<String, Vec<u64>>,
@@ -30,8 +29,7 @@ impl Manifest {
         }
     }
 
-    /// Reads the manifest of a folder; empty if it cannot be read. Malformed
-    /// lines are ignored, as are paths that lead out of the folder.
+    /// Reads the manifest of a folder; empty if unreadable. Malformed lines and paths out of the folder are ignored.
     pub fn read(folder: &Path) -> Manifest {
         let text = std::fs::read_to_string(folder.join(MANIFEST)).unwrap_or_default();
         let lines = text.lines().filter_map(|line| {
@@ -72,8 +70,7 @@ impl Manifest {
         self.files.keys().map(String::as_str)
     }
 
-    /// Whether the file at the relative `path` in `folder` still has the contents that hyzer wrote, according to
-    /// the hash in this manifest.
+    /// Whether the file at the relative `path` still has the contents that hyzer wrote, by its hash.
     pub fn wrote(&self, folder: &Path, path: &str) -> bool {
         let contents = || std::fs::read(folder.join(path)).ok();
         self.files.get(path).is_some_and(|known| {

@@ -63,8 +63,7 @@ pub(super) fn at_knots(u: &PiecewiseCubic, tau: f64) -> Vec<Lagged> {
     [rest(u, 0)].into_iter().chain(later).collect()
 }
 
-/// Response to `u` at time `t`, s, for a time constant that is not [`is_none`]. `known` has those at all knots, or is
-/// empty.
+/// Response to `u` at time `t`, s, for a time constant that is not [`is_none`]; `known` at all knots, or empty.
 pub(super) fn at(u: &PiecewiseCubic, t: f64, tau: f64, known: &[Lagged]) -> Lagged {
     let knots = u.knots();
     let below = |t: f64| knots.partition_point(|&knot| knot <= t);

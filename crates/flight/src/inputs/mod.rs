@@ -9,7 +9,7 @@ use codegen::table::PiecewiseCubic;
 use model_spec::layout::{Layout, ParamId};
 
 use lag::Lagged;
-pub use table::{TableFault, read_inputs};
+pub use table::read_inputs;
 
 /// Time by which a flight may outlast its inputs, s: rounding of the times of samples.
 const END_TOLERANCE: f64 = 1e-9;
@@ -209,8 +209,7 @@ pub struct InputsOverTime {
 }
 
 impl InputsOverTime {
-    /// The inputs of a model with this layout by their names; those that the model lacks are left out. Where the model
-    /// has an input `NAME_rate` that is not given, it is the time derivative of the input `NAME`.
+    /// The inputs of the layout by name. A `NAME_rate` that is not given is the time derivative of `NAME`.
     pub fn of<'a>(
         layout: &Layout,
         inputs: impl IntoIterator<Item = (&'a str, InputSeries)>,

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use toml::de::DeTable;
 
+use crate::files::bounded_text;
 use crate::initial_conditions::Vocabulary;
 use crate::inputs::read_inputs;
 use crate::toml_reader::{Reader, Value, suggestion};
@@ -72,16 +73,14 @@ impl<'t> Reader<'t> {
                         times.len(),
                         values.len()
                     );
-                    self.fault(value.span(), message);
-                    return None;
+                    return self.refuse(value.span(), message);
                 }
                 if let Some(pair) = times.windows(2).find(|pair| pair[1] <= pair[0]) {
                     let message = format!(
                         "the times of {name} have {} after {}; expected increasing ones",
                         pair[1], pair[0]
                     );
-                    self.fault(value.span(), message);
-                    return None;
+                    return self.refuse(value.span(), message);
                 }
                 let samples: Vec<(f64, f64)> = times.into_iter().zip(values).collect();
                 Some(InputSeries::new(&samples, interpolation))
@@ -89,11 +88,10 @@ impl<'t> Reader<'t> {
             (None, None, Some(file)) => self.column_of_file(name, file, table, interpolation),
             _ => {
                 let expected = "{ t = […], value = […] } or { file = \"…\", column = \"…\" }";
-                self.fault(
+                self.refuse(
                     value.span(),
                     format!("{name} is incomplete; expected {expected}"),
-                );
-                None
+                )
             }
         }
     }
@@ -114,8 +112,7 @@ impl<'t> Reader<'t> {
 
     fn numbers(&mut self, value: &Value<'t>, name: &str) -> Option<Vec<f64>> {
         let Some(items) = value.get_ref().as_array() else {
-            self.wrong_type(value, name, "a list of numbers");
-            return None;
+            return self.refuse_type(value, name, "a list of numbers");
         };
         items.iter().map(|item| self.number(item, name)).collect()
     }
@@ -129,44 +126,35 @@ impl<'t> Reader<'t> {
         interpolation: InputInterpolation,
     ) -> Option<InputSeries> {
         let Some(file) = value.get_ref().as_str() else {
-            self.wrong_type(value, "file", "the path of a table in quotes");
-            return None;
+            return self.refuse_type(value, "file", "the path of a table in quotes");
         };
         let column = table
             .get("column")
             .map_or(Some(name), |own| own.get_ref().as_str());
         let Some(column) = column else {
-            self.fault(
+            return self.refuse(
                 value.span(),
                 format!("the column of {name} is no text; expected a name"),
             );
-            return None;
         };
         let path = self
             .folder
             .as_ref()
             .map_or_else(|| PathBuf::from(file), |own| own.join(file));
-        let read = std::fs::metadata(&path).and_then(|found| match found.len() > MAX_TABLE_BYTES {
-            true => Err(std::io::Error::other(format!(
-                "it has more than {MAX_TABLE_BYTES} bytes"
-            ))),
-            false => std::fs::read_to_string(&path),
-        });
         let place = path.display();
-        let text = match read {
+        let text = match bounded_text(&path, MAX_TABLE_BYTES) {
             Ok(text) => text,
             Err(error) => {
-                self.fault(value.span(), format!("{place} cannot be read: {error}"));
-                return None;
+                return self.refuse(value.span(), format!("{place} cannot be read: {error}"));
             }
         };
         let inputs = match read_inputs(&text, interpolation, |time| time) {
             Ok(inputs) => inputs,
             Err(fault) => {
-                let ((line, cell), found, expected) = (fault.place, fault.found, fault.expected);
+                let ((line, cell), found) = (fault.location.place(), fault.found);
+                let expected = fault.expected;
                 let message = format!("{place}:{line}:{cell}: found {found}; expected {expected}");
-                self.fault(value.span(), message);
-                return None;
+                return self.refuse(value.span(), message);
             }
         };
         let hint = suggestion(column, inputs.iter().map(|(own, _)| &**own));

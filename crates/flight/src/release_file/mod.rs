@@ -3,18 +3,14 @@
 mod inputs;
 mod throw;
 
-use crate::initial_conditions::{Release, Stop, Vocabulary, own_wind, quaternion_fault};
+use crate::initial_conditions::{Release, Stop, Vocabulary, built_in, own_wind, quaternion_fault};
 use crate::toml_reader::{MAX_FILE_BYTES, Name, Reader, ReleaseError, read_text, suggestion};
 use crate::wind::WindField;
 use model_spec::load::LoadError;
 use std::path::Path;
 use toml::de::DeTable;
 
-/// Reads and parses a release file, the TOML file with the initial conditions of a flight. `vocabulary` returns the
-/// names defined by a model, given the model's name or path. Winds by height and gusts are rejected.
-///
-/// # Errors
-/// [`ReleaseError`] with all faults of the file, also if it cannot be read or is larger than 1 MiB.
+/// Reads and parses a release file, the TOML file with the initial conditions of a flight; otherwise as [`read`].
 pub fn read_file(
     path: &Path,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
@@ -24,56 +20,55 @@ pub fn read_file(
     })
 }
 
-/// Reads and parses a release file, the TOML file with the initial conditions of a flight. Winds by height and gusts
-/// are accepted. Also returns the names that the model defines after the wind has been added to it.
-///
-/// # Errors
-/// [`ReleaseError`] as for [`read_file`].
-pub fn read_file_in_wind(
-    path: &Path,
+/// Reads the release file `name`, or else the built-in one, as [`read`] or, `in_wind`, as [`read_in_wind`].
+pub fn read_named(
+    name: &str,
+    in_wind: bool,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
 ) -> Result<(Release, Vocabulary), ReleaseError> {
-    read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
-        read_in_wind(file, text, &[], vocabulary)
-    })
+    let path = Path::new(name);
+    match built_in(name).filter(|_| !path.is_file()) {
+        Some(text) => parse(name, text, &[], in_wind, vocabulary),
+        None => read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
+            parse(file, text, &[], in_wind, vocabulary)
+        }),
+    }
 }
 
 /// Parses the text of a release file.
 ///
-/// `file` is the file name in error messages; the paths in the text are relative to its folder. `vocabulary` returns
-/// the names defined by a model, given the model's name or path; an error of `vocabulary` becomes a fault at the
-/// location of that name. Winds by height and gusts, which change the model, are rejected; [`read_in_wind`] accepts
-/// them.
-///
-/// # Errors
-/// [`ReleaseError`] with all faults of the file.
+/// `file` is the name in messages; paths in the text are relative to its folder. `vocabulary` returns the names that a
+/// model, given by name or path, defines; its error becomes a fault there. Winds by height and gusts, which change the
+/// model, are rejected; [`read_in_wind`] accepts them.
 pub fn read(
     file: &str,
     text: &str,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
 ) -> Result<Release, ReleaseError> {
-    let mut reader = Reader::new(text);
-    reader.folder = Path::new(file).parent().map(Path::to_path_buf);
-    let release = reader.release(&[], false, vocabulary);
-    let release = release.map(|(release, _)| release);
-    reader.finish(file, release)
+    Ok(parse(file, text, &[], false, vocabulary)?.0)
 }
 
-/// Parses the text of a release file, which may specify winds by height and gusts. The top-level keys `own_keys` are
-/// allowed, but their values are ignored. Also returns the names defined by the model after the wind has been added to
-/// it; the flight must be simulated with the model in [`Vocabulary::model`].
-///
-/// # Errors
-/// [`ReleaseError`] with all faults of the file.
+/// Parses a release file that may specify winds by height and gusts; top-level keys `own_keys` are ignored. Also
+/// returns the names of the model with the wind, [`Vocabulary::model`], which is the one to simulate.
 pub fn read_in_wind(
     file: &str,
     text: &str,
     own_keys: &[&str],
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
 ) -> Result<(Release, Vocabulary), ReleaseError> {
+    parse(file, text, own_keys, true, vocabulary)
+}
+
+fn parse(
+    file: &str,
+    text: &str,
+    own_keys: &[&str],
+    in_wind: bool,
+    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
+) -> Result<(Release, Vocabulary), ReleaseError> {
     let mut reader = Reader::new(text);
     reader.folder = Path::new(file).parent().map(Path::to_path_buf);
-    let release = reader.release(own_keys, true, vocabulary);
+    let release = reader.release(own_keys, in_wind, vocabulary);
     reader.finish(file, release)
 }
 
@@ -107,15 +102,11 @@ impl<'t> Reader<'t> {
             return None;
         };
         let Some(model_name) = name.get_ref().as_str() else {
-            self.wrong_type(name, "model", "a name or a path, as in model = \"disc\"");
-            return None;
+            return self.refuse_type(name, "model", "a name or a path, as in model = \"disc\"");
         };
         let mut vocabulary = match vocabulary(model_name) {
             Ok(vocabulary) => vocabulary,
-            Err(why) => {
-                self.fault(name.span(), why.to_string());
-                return None;
-            }
+            Err(why) => return self.refuse(name.span(), why.to_string()),
         };
         let (mut wind, wind_field) = self.wind(document);
         if !document.contains_key("wind") {
@@ -125,21 +116,16 @@ impl<'t> Reader<'t> {
             && !vocabulary.inputs.iter().any(|input| input == "wind")
         {
             let found = format!("found a constant wind, but {model_name} has no input `wind`");
-            self.fault(table.span(), found);
-            return None;
+            return self.refuse(table.span(), found);
         }
         if let (Some(field), Some(table)) = (&wind_field, document.get("wind")) {
             if !in_wind {
                 let message = "found a wind by height or gusts; expected only a constant wind here";
-                self.fault(table.span(), message);
-                return None;
+                return self.refuse(table.span(), message);
             }
             match vocabulary.in_wind(field) {
                 Ok(composed) => vocabulary = composed,
-                Err(why) => {
-                    self.fault(table.span(), why);
-                    return None;
-                }
+                Err(why) => return self.refuse(table.span(), why),
             }
             self.stated_twice(document, field);
         }
@@ -192,8 +178,7 @@ impl<'t> Reader<'t> {
             }
             (Some(_), Some(until)) => {
                 let message = "found both until and duration; expected one of the two";
-                self.fault(until.span(), message);
-                None
+                self.refuse(until.span(), message)
             }
             (Some(value), None) => {
                 let duration = self.number(value, "duration")?;

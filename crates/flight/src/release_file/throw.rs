@@ -69,9 +69,7 @@ fn initial(
     let model = vocabulary
         .model
         .as_ref()
-        .ok_or_else(|| ThrowError::NoBody {
-            model: release.model.clone(),
-        })?;
+        .ok_or_else(|| ThrowError::NoBody(release.model.clone()))?;
     let thrown = ThrownModel::new(model)?;
     let parameters = thrown.release_parameters(release);
     let state = thrown.state(throw, [0.0; 2], &parameters)?;

@@ -7,8 +7,7 @@ use super::{Throw, ThrownModel};
 use crate::initial_conditions::Release;
 use crate::{BoundModel, CompiledModel};
 
-/// Number of evenly spaced times of a flight at which maxima and minima, such as the maximum height, are searched, in
-/// addition to the events of the flight.
+/// Evenly spaced times of a flight at which maxima and minima are searched, in addition to its events.
 const SAMPLES: u32 = 2000;
 
 /// Characteristics of a simulated flight, such as duration, range and maximum height.
@@ -37,8 +36,7 @@ pub struct FlownThrow {
 }
 
 impl FlownThrow {
-    /// Computes the characteristics of a flight; `None` for a model that declares no body, because the meaning of its
-    /// states is unknown.
+    /// Characteristics of a flight; `None` for a model without a body, the meaning of whose states is unknown.
     pub fn of(
         model: &Model,
         body: &CompiledModel,
@@ -96,8 +94,7 @@ impl FlownThrow {
     }
 }
 
-/// Angle of attack, deg: the model's quantity `alpha` if it has one, otherwise the angle of attack relative to the
-/// velocity over the ground, `motion.nose`; `None` for a body without attitude.
+/// Angle of attack, deg: the quantity `alpha`, or else that over the ground; `None` without attitude.
 fn angle_of_attack(
     bound: &BoundModel<'_>,
     body: &CompiledModel,

@@ -10,8 +10,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use super::motion::{BoundMotion, with_offset};
 use super::{FIELDS, RPM, Throw};
 
-/// Step of a state in the difference formula for the Jacobian, in the unit of the state. A coarse step suffices, since
-/// the motion is linear in speeds and rates and polynomial in sines and cosines of angles.
+/// Step of a state in the differences for the Jacobian; coarse, as the motion is linear or polynomial in sines.
 const STEP: f64 = 0.01;
 /// Weights of the sixth-order central difference formula, for the differences over 1, 2 and 3 steps to either side.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
@@ -19,8 +18,7 @@ const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 const RANK_TOLERANCE: f64 = 1e-9;
 
 impl BoundMotion<'_> {
-    /// Number of components that describe the motion: those of position and velocity, and for a body with attitude also
-    /// of its three axes and its angular velocity.
+    /// Components of the motion: of position, velocity, and with attitude of the three axes and the rates.
     fn components(&self) -> usize {
         if self.model.has_attitude() { 18 } else { 6 }
     }
@@ -45,9 +43,8 @@ impl BoundMotion<'_> {
         jacobian
     }
 
-    /// Derivatives of `state`, which has the motion of `throw`, with respect to the fields of the throw: one row per
-    /// state, one column per entry of [`FIELDS`], in the unit of the state per unit of the field. Columns of fields
-    /// that a body without attitude lacks are 0.
+    /// Derivatives of `state`, which has the motion of `throw`, by the fields of the throw: one row per state, one
+    /// column per entry of [`FIELDS`], 0 for those that the body lacks.
     pub fn state_by_throw(&self, throw: &Throw, state: &[f64]) -> DMatrix<f64> {
         let [_, velocity, first, second, third, rates, ..] = self.vectors(state).0;
         let (spin, spin_by_wobble) = self.rates_of_spin(throw, state);
@@ -80,9 +77,8 @@ impl BoundMotion<'_> {
         self.states_moved(state, &wanted)
     }
 
-    /// Minimum-norm changes of the state that cause given changes of the motion. Each column of `wanted` is one change
-    /// of the motion, with the rows of [`jacobian`](Self::jacobian); the same column of the result is the change of the
-    /// state.
+    /// Minimum-norm changes of the state, one column each, for the changes of the motion in the columns of `wanted`,
+    /// with the rows of [`jacobian`](Self::jacobian).
     pub fn states_moved(&self, state: &[f64], wanted: &DMatrix<f64>) -> DMatrix<f64> {
         let mut jacobian = self.jacobian(state);
         let mut wanted = wanted.clone();
@@ -102,8 +98,7 @@ impl BoundMotion<'_> {
             .unwrap_or_else(|_| DMatrix::zeros(state.len(), wanted.ncols()))
     }
 
-    /// Angular velocity of the body in body axes, rad/s, for a spin of 1 rad/s about the third axis and the wobble of
-    /// `throw` (angle between body axis and angular momentum).
+    /// Angular velocity in body axes, rad/s, for a spin of 1 rad/s about the third axis and the wobble of `throw`.
     fn rates_of_spin(&self, throw: &Throw, state: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
         let axes = throw.attitude();
         let wobble = throw.wobble.unwrap_or(0.0).to_radians();

@@ -35,8 +35,7 @@ pub fn state(bound: &BoundMotion<'_>, wanted: &Motion, near: Option<&[f64]>) -> 
     })
 }
 
-/// Starting states of the search for a state with a given motion: copies of the default state with each frame rotated
-/// by multiples of a quarter turn.
+/// Starting states: copies of the default state with each frame rotated by multiples of a quarter turn.
 fn starts(bound: &BoundMotion<'_>) -> Vec<Vec<f64>> {
     let half = 0.5_f64;
     let root = half.sqrt();

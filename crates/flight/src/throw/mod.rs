@@ -15,13 +15,10 @@ mod observed;
 
 use std::f64::consts::PI;
 
-use model_spec::model::Model;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-use crate::initial_conditions::Release;
 pub use flown::FlownThrow;
-use motion::MotionModel;
-pub use motion::{BoundMotion, Motion, Turning, speed_and_spin};
+pub use motion::{BoundMotion, Motion, ThrownModel, Turning, speed_and_spin};
 pub use near::NearThrows;
 pub use observed::MotionVector;
 
@@ -39,18 +36,14 @@ pub struct Throw {
     pub launch: f64,
     /// Height of the mass centre at release, m.
     pub height: f64,
-    /// Angle of attack with respect to the velocity relative to the ground, positive nose-up, deg. `None` counts as 0;
-    /// it must be `None` for a body without attitude.
+    /// Angle of attack over the ground, positive nose-up, deg; `None` is 0, and needed without attitude.
     pub nose: Option<f64>,
-    /// Tilt of the body about the velocity, deg; positive if the left edge, seen from behind, is the lower one. `None`
-    /// counts as 0; it must be `None` for a body without attitude.
+    /// Tilt about the velocity, deg, positive with the left edge, from behind, lower; `None` as for `nose`.
     pub hyzer: Option<f64>,
-    /// Spin about the body axis d3, positive clockwise as seen from above, rpm. `None` counts as 0; it must be `None`
-    /// for a body without attitude.
+    /// Spin about the body axis d3, positive clockwise as seen from above, rpm; `None` as for `nose`.
     pub spin: Option<f64>,
-    /// Angle between the body's axis and its angular momentum, deg: for a body of revolution without moments, half the
-    /// opening angle of the cone that the axis describes. At release the cone's axis is ahead of the body's axis,
-    /// towards the nose. `None` counts as 0; it must be `None` for a body without attitude.
+    /// Angle between body axis and angular momentum, deg: for a body of revolution without moments, half the opening
+    /// angle of the axis's cone, whose own axis is ahead at release, towards the nose. `None` as for `nose`.
     pub wobble: Option<f64>,
 }
 
@@ -90,31 +83,23 @@ pub enum ThrowError {
         /// Name of the model, which describes a point mass.
         model: String,
     },
-    /// The throw has a wobble (angle between the body's axis and its angular momentum) other than 0, but no spin or a
-    /// spin of 0. Without spin the axis does not move along a cone.
+    /// The throw has a wobble other than 0, but no spin, without which the axis does not move along a cone.
     #[error(
         "found wobble without spin; expected a spin other than 0, about which the axis can turn"
     )]
     NoSpin,
-    /// The model neither declares a body nor states that its equations describe one, so that the meaning of its states
-    /// is unknown.
+    /// The model neither declares a body nor states that its equations describe one.
     #[error(
-        "the model {model} has neither a body nor a claim of one, so that its states cannot be found from a throw; expected \
+        "the model {0} has neither a body nor a claim of one, so that its states cannot be found from a throw; expected \
          [initial] with every state"
     )]
-    NoBody {
-        /// Name of the model that neither declares a body nor states that its equations describe one.
-        model: String,
-    },
+    NoBody(String),
     /// No state within the model's domain of validity has the motion of the throw.
     #[error(
-        "no state of the model {model} within its limits has this motion; expected a throw that it can have, as by another \
+        "no state of the model {0} within its limits has this motion; expected a throw that it can have, as by another \
          nose or hyzer"
     )]
-    NoState {
-        /// Name of the model that has no state with this motion.
-        model: String,
-    },
+    NoState(String),
 }
 
 impl ThrowError {
@@ -123,7 +108,7 @@ impl ThrowError {
         match self {
             ThrowError::Range { name, .. } | ThrowError::NoAttitude { name, .. } => Some(name),
             ThrowError::NoSpin => Some("wobble"),
-            ThrowError::NoBody { .. } | ThrowError::NoState { .. } => None,
+            ThrowError::NoBody(_) | ThrowError::NoState(_) => None,
         }
     }
 }
@@ -176,11 +161,7 @@ impl Throw {
         }
     }
 
-    /// Checks that every field is in its range in [`FIELDS`], that the speed is above 0, and that a throw with a wobble
-    /// also has a spin.
-    ///
-    /// # Errors
-    /// [`ThrowError::Range`] for the first field outside its range; [`ThrowError::NoSpin`] for a wobble without spin.
+    /// Checks that every field is in [`FIELDS`]' range, the speed above 0, and a throw with a wobble has a spin.
     pub fn check(&self) -> Result<(), ThrowError> {
         for (name, ..) in FIELDS {
             self.field(name)
@@ -193,11 +174,7 @@ impl Throw {
         Ok(())
     }
 
-    /// Checks that the value of one field is in its range in [`FIELDS`], and that a speed is above 0; an unknown name
-    /// is ignored.
-    ///
-    /// # Errors
-    /// [`ThrowError::Range`] if the value is out of range.
+    /// Checks that the value of one field is in its range in [`FIELDS`], and a speed above 0; ignores other names.
     #[doc(hidden)]
     pub fn check_field(field: &str, value: f64) -> Result<(), ThrowError> {
         let Some((name, unit, least, greatest)) = FIELDS.into_iter().find(|(n, ..)| *n == field)
@@ -219,9 +196,8 @@ impl Throw {
         })
     }
 
-    /// Motion of the body at release, with its mass centre above the point `ground` (x, y), m. It has no wobble: the
-    /// angular velocity is along the body axis d3. If `has_attitude` is false (a point mass), attitude and angular
-    /// velocity are `None`.
+    /// Motion at release, with the mass centre above `ground` (x, y), m, and without wobble: the angular velocity is
+    /// along d3. Without `has_attitude`, there is none.
     #[doc(hidden)]
     pub fn motion(&self, ground: [f64; 2], has_attitude: bool) -> Motion {
         let axes = self.attitude().into_inner();
@@ -235,8 +211,7 @@ impl Throw {
         }
     }
 
-    /// Component of the angular velocity along the body axis d3, rad/s; its sign is opposite to that of `spin`. 0 where
-    /// the throw states no spin.
+    /// Component of the angular velocity along d3, rad/s, of opposite sign to `spin`; 0 without a spin.
     #[doc(hidden)]
     pub fn rotation_rate(&self) -> f64 {
         -self.spin.unwrap_or(0.0) * RPM
@@ -258,8 +233,7 @@ impl Throw {
         Some(along * (spin / along.dot(&axis)))
     }
 
-    /// Rotation to the inertial frame from the axes of the velocity: forward along the velocity, to its left, and
-    /// upwards.
+    /// Rotation to the inertial frame from the velocity's axes: forward along it, to its left, and upwards.
     fn course(&self) -> Rotation3<f64> {
         Rotation3::from_axis_angle(&Vector3::z_axis(), self.heading.to_radians())
             * Rotation3::from_axis_angle(&Vector3::y_axis(), -self.launch.to_radians())
@@ -274,43 +248,10 @@ impl Throw {
     }
 }
 
-/// Model of a body, prepared for the conversion of throws to states and of states to throws.
-pub struct ThrownModel {
-    motion: MotionModel,
-    name: String,
-}
-
 impl ThrownModel {
-    /// Prepares a model for the conversion between throws and states.
-    ///
-    /// # Errors
-    /// [`ThrowError::NoBody`] if the model neither declares a body nor states that its equations describe one.
-    pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
-        let name = model.name.clone();
-        match MotionModel::new(model) {
-            Some(motion) => Ok(ThrownModel { motion, name }),
-            None => Err(ThrowError::NoBody { model: name }),
-        }
-    }
-
-    /// Whether the body of the model has an attitude; false for a point mass.
-    pub fn has_attitude(&self) -> bool {
-        self.motion.has_attitude()
-    }
-
-    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
-    /// specified in the release, and default values of all other parameters.
-    pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
-        self.motion.release_parameters(release)
-    }
-
     /// Computes the state of the model that has the motion of a throw, with the mass centre above the point `ground`
     /// (x, y), m. The body's first axis points forward. `parameters` are in the order of the model's
     /// [`Layout`](codegen::Layout); states that the motion does not determine have their default values.
-    ///
-    /// # Errors
-    /// [`ThrowError`] if the throw is invalid, specifies an attitude for a body without one, or is not the motion of
-    /// any state.
     pub fn state(
         &self,
         throw: &Throw,
@@ -320,12 +261,8 @@ impl ThrownModel {
         self.search(throw, ground, parameters, None)
     }
 
-    /// Computes the state of the model that has the motion of a throw, with the mass centre above the point `ground`
-    /// (x, y), m. The search starts at `near`, the state of a similar throw. This is faster than
-    /// [`state`](Self::state), and of several states with the motion it finds the one near `near`.
-    ///
-    /// # Errors
-    /// [`ThrowError`] as for [`state`](Self::state).
+    /// As [`state`](Self::state), from `near`, the state of a similar throw: faster, and of several states with the
+    /// motion the one near `near`.
     pub fn state_near(
         &self,
         throw: &Throw,
@@ -345,7 +282,7 @@ impl ThrownModel {
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, ThrowError> {
         self.check(throw)?;
-        let bound = self.motion.bind(parameters);
+        let bound = self.bind(parameters);
         let find = |wanted: &Motion, near: Option<&[f64]>| {
             inverse::state(&bound, wanted, near).ok_or_else(|| self.no_state())
         };
@@ -373,11 +310,6 @@ impl ThrownModel {
         }
     }
 
-    /// Motion of the body for parameter values in the order of the model's [`Layout`](codegen::Layout).
-    pub fn bind(&self, parameters: &[f64]) -> BoundMotion<'_> {
-        self.motion.bind(parameters)
-    }
-
     /// Motion of the body at a state; `parameters` are in the order of the model's [`Layout`](codegen::Layout).
     pub fn motion(&self, state: &[f64], parameters: &[f64]) -> Motion {
         self.bind(parameters).motion(state)
@@ -385,11 +317,10 @@ impl ThrownModel {
 
     /// Inertia tensor about the mass centre in inertial axes at a state, kg m²; `None` for a point mass.
     pub fn inertia(&self, state: &[f64], parameters: &[f64]) -> Option<Matrix3<f64>> {
-        self.motion.bind(parameters).inertia(state)
+        self.bind(parameters).inertia(state)
     }
 
-    /// Principal moments of inertia at a state, kg m², if they are not all positive, as those
-    /// of a body are; otherwise `None`.
+    /// Principal moments of inertia at a state, kg m², if they are not all positive; otherwise `None`.
     pub fn improper_moments(&self, parameters: &[f64], state: &[f64]) -> Option<[f64; 3]> {
         let inertia = self.inertia(state, parameters)?;
         let moments = ((inertia + inertia.transpose()) / 2.0).symmetric_eigenvalues();
@@ -398,33 +329,28 @@ impl ThrownModel {
     }
 
     /// State that has a given motion; the search starts at `near` if it is given.
-    ///
-    /// # Errors
-    /// [`ThrowError::NoState`] if no state within the model's limits has the motion.
     pub fn state_of(
         &self,
         motion: &Motion,
         parameters: &[f64],
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, ThrowError> {
-        inverse::state(&self.motion.bind(parameters), motion, near).ok_or_else(|| self.no_state())
+        inverse::state(&self.bind(parameters), motion, near).ok_or_else(|| self.no_state())
     }
 
     fn no_state(&self) -> ThrowError {
-        ThrowError::NoState {
-            model: self.name.clone(),
-        }
+        ThrowError::NoState(self.name.clone())
     }
 
     /// Point on the ground below the mass centre at a state, (x, y), m.
     pub fn ground(&self, state: &[f64], parameters: &[f64]) -> [f64; 2] {
-        let position = self.motion.bind(parameters).motion(state).position;
+        let position = self.bind(parameters).motion(state).position;
         [position.x, position.y]
     }
 
     /// Converts a state of the model to the throw with the same motion: speed, direction, angles, spin and wobble.
     pub fn throw(&self, state: &[f64], parameters: &[f64]) -> Throw {
-        let bound = self.motion.bind(parameters);
+        let bound = self.bind(parameters);
         let Motion {
             position,
             velocity,

@@ -9,6 +9,7 @@ use model_spec::model::{AuxVariable, ClaimedAttitude, Expr, ExprKind, Model, Obs
 use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
+use super::ThrowError;
 use crate::initial_conditions::Release;
 use crate::{BoundModel, CompiledModel, Workspace};
 
@@ -26,15 +27,15 @@ pub struct Motion {
 /// Attitude and angular velocity of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
-    /// Axes of the body, as columns, in the inertial frame. If the model defines only the axis of a body of revolution,
-    /// only the third axis is fixed in the body.
+    /// Axes of the body, as columns, in the inertial frame; of a mere axis of revolution, the third one.
     pub axes: Matrix3<f64>,
     /// Angular velocity in the inertial frame, rad/s.
     pub rates: Vector3<f64>,
 }
 
-/// Motion of a model's body as a compiled function of state and parameters.
-pub struct MotionModel {
+/// Motion of a model's body by state and parameters, compiled, to convert throws to states and states to throws.
+pub struct ThrownModel {
+    pub(super) name: String,
     pub(super) compiled: CompiledModel,
     has_attitude: bool,
     pub(super) is_revolution: bool,
@@ -80,11 +81,13 @@ pub(super) fn with_offset<V>(
     value
 }
 
-impl MotionModel {
-    /// Compiles the motion of a model's body; `None` if the model neither declares a body nor states that its equations
-    /// describe one.
-    pub fn new(model: &Model) -> Option<MotionModel> {
-        let (vectors, is_revolution) = vectors(model)?;
+impl ThrownModel {
+    /// Compiles the motion of a model's body.
+    pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
+        let name = model.name.clone();
+        let Some((vectors, is_revolution)) = vectors(model) else {
+            return Err(ThrowError::NoBody(name));
+        };
         let mut own = model.clone();
         // The motion at an instant depends on neither loads nor the observation.
         own.forces.clear();
@@ -99,7 +102,8 @@ impl MotionModel {
                 span,
                 ..AuxVariable::new(format!("motion__{k}"), value.clone())
             }));
-        Some(MotionModel {
+        Ok(ThrownModel {
+            name,
             compiled: CompiledModel::compiled_for(&own, &Selection::Only(Vec::new())),
             has_attitude: vectors.len() == VECTORS,
             is_revolution,
@@ -109,18 +113,17 @@ impl MotionModel {
         })
     }
 
-    /// Whether the body has an attitude.
+    /// Whether the body has an attitude; false for a point mass.
     pub fn has_attitude(&self) -> bool {
         self.has_attitude
     }
 
-    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
-    /// specified in the release, and default values of all other parameters.
+    /// Parameter vector for a release, in the order of the model's [`Layout`](codegen::Layout).
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.compiled.release_parameters(release).constants
     }
 
-    /// Binds the motion to parameter values, in the order of the model's [`Layout`](codegen::Layout).
+    /// Motion of the body for parameter values in the order of the model's [`Layout`](codegen::Layout).
     pub fn bind(&self, parameters: &[f64]) -> BoundMotion<'_> {
         let quantities = vec![0.0; self.compiled.layout().quantities.len()];
         BoundMotion {
@@ -130,8 +133,7 @@ impl MotionModel {
         }
     }
 
-    /// Shifts angles by whole turns to within half a turn of 0, and scales quaternions to length 1 with a non-negative
-    /// scalar part.
+    /// Shifts angles to within half a turn of 0, and scales quaternions to length 1 with a scalar part of at least 0.
     pub fn normalise(&self, state: &mut [f64]) {
         for &angle in &self.angles {
             state[angle] -= TAU * (state[angle] / TAU).round();
@@ -152,9 +154,8 @@ impl MotionModel {
     }
 }
 
-/// Copy of the model whose measurement equation yields, instead of a marker position, the speed of the mass centre over
-/// the ground (m/s), the spin as in a [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0. `None` if the model
-/// neither declares a body nor states that its equations describe one.
+/// Copy of the model that observes, instead of a marker, the speed over the ground (m/s), the spin as in a
+/// [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0; `None` without a body.
 pub fn speed_and_spin(model: &Model) -> Option<Model> {
     let (vectors, _) = vectors(model)?;
     let scalar = |kind| Expr {
@@ -191,7 +192,7 @@ pub fn speed_and_spin(model: &Model) -> Option<Model> {
 
 /// Motion of a model's body with bound parameter values.
 pub struct BoundMotion<'m> {
-    pub(super) model: &'m MotionModel,
+    pub(super) model: &'m ThrownModel,
     bound: BoundModel<'m>,
     /// Scratch memory, and the auxiliary variables, of which the last are the vectors of the motion.
     scratch: RefCell<(Workspace, Vec<f64>, Vec<f64>)>,
@@ -227,9 +228,8 @@ impl BoundMotion<'_> {
         has_attitude.then(|| self.vectors(state).inertia())
     }
 
-    /// Differences between the motion of the body at a state and the motion `wanted`, by component. Differences of
-    /// velocity are divided by the wanted speed or 1 m/s, whichever is greater, those of angular velocity by the wanted
-    /// rate or 1 rad/s.
+    /// Differences of the motion at a state from `wanted`, by component; those of velocity relative to the wanted speed
+    /// or 1 m/s, those of angular velocity to the wanted rate or 1 rad/s.
     pub fn differences(&self, state: &[f64], wanted: &Motion) -> Vec<f64> {
         let found = self.motion(state);
         let speed = wanted.velocity.norm().max(1.0);

@@ -11,8 +11,7 @@ const MAX_ATTITUDE: usize = 6;
 const MAX_STEPS: usize = 20;
 /// Maximum angle of a rotation of the body that Newton's method is to find at once, rad; greater rotations are split.
 const WIDEST_TURN: f64 = 0.5;
-/// Offset of an attitude state to either side in the central differences of the body axes, rad for an angle,
-/// dimensionless for a quaternion component.
+/// Offset of an attitude state in the central differences of the body axes, rad, or 1 for a quaternion.
 const DIFFERENCE_STEP: f64 = 1e-5;
 /// Tolerance for a state to have the wanted motion.
 const SAME: f64 = 1e-9;
@@ -31,13 +30,11 @@ pub struct NearThrows<'m> {
 }
 
 impl<'m> NearThrows<'m> {
-    /// Prepares the search for the states of throws near a known throw. Newton's method starts at `near`, the state of
-    /// the known throw.
+    /// Prepares the search near a known throw, from whose state `near` Newton's method starts.
     pub fn new(thrown: &'m ThrownModel, near: &[f64]) -> NearThrows<'m> {
-        let motion = &thrown.motion;
-        let mut attitude = motion.angles.clone();
-        attitude.extend(motion.quaternions.iter().flatten());
-        let is_linear = |k: &usize| !attitude.contains(k) && !motion.added.contains(k);
+        let mut attitude = thrown.angles.clone();
+        attitude.extend(thrown.quaternions.iter().flatten());
+        let is_linear = |k: &usize| !attitude.contains(k) && !thrown.added.contains(k);
         NearThrows {
             thrown,
             near: near.to_vec(),
@@ -47,11 +44,7 @@ impl<'m> NearThrows<'m> {
         }
     }
 
-    /// Writes to `state` the state in which the body has the motion of `throw` and its mass centre is above the point
-    /// `ground` (x, y), m.
-    ///
-    /// # Errors
-    /// [`ThrowError`] as for [`ThrownModel::state`].
+    /// Writes to `state` the one with the motion of `throw` and its mass centre above `ground` (x, y), m.
     pub fn state(
         &mut self,
         throw: &Throw,
@@ -61,7 +54,7 @@ impl<'m> NearThrows<'m> {
     ) -> Result<(), ThrowError> {
         self.thrown.check(throw)?;
         let last = self.bound.take().filter(|(last, _)| last == parameters);
-        let bind = || (parameters.to_vec(), self.thrown.motion.bind(parameters));
+        let bind = || (parameters.to_vec(), self.thrown.bind(parameters));
         let (parameters, bound) = last.unwrap_or_else(bind);
         if self.find(&bound, throw, ground, state).is_none() {
             state.copy_from_slice(&self.thrown.state(throw, ground, &parameters)?);
@@ -77,11 +70,11 @@ impl<'m> NearThrows<'m> {
         ground: [f64; 2],
         state: &mut [f64],
     ) -> Option<()> {
-        let motion = &self.thrown.motion;
-        let turns = motion.has_attitude();
+        let thrown = self.thrown;
+        let turns = thrown.has_attitude();
         let equations = if turns { 9 } else { 6 };
         let is_small = self.attitude.len() <= MAX_ATTITUDE;
-        if motion.is_revolution || self.linear.len() != equations || !is_small {
+        if thrown.is_revolution || self.linear.len() != equations || !is_small {
             return None;
         }
         state.copy_from_slice(&self.near);
@@ -129,8 +122,7 @@ impl<'m> NearThrows<'m> {
         (is_there && is_turned && bound.is_within_limits(state)).then_some(())
     }
 
-    /// Changes the attitude states in `state` so that the body axes are the columns of `axes`, in the inertial frame,
-    /// by Newton's method with slight damping.
+    /// Changes the attitude states so that the body axes are the columns of `axes`, by slightly damped Newton steps.
     fn turn(&self, bound: &BoundMotion<'_>, axes: &Matrix3<f64>, state: &mut [f64]) -> Option<()> {
         let seen = |state: &[f64]| bound.vectors(state).axes();
         for _ in 0..MAX_STEPS {
@@ -153,7 +145,7 @@ impl<'m> NearThrows<'m> {
                 state[*place] += change;
             }
         }
-        self.thrown.motion.normalise(state);
+        self.thrown.normalise(state);
         Some(())
     }
 }

@@ -29,8 +29,7 @@ pub enum MotionVector {
 const SPINS: [&str; 2] = ["spin", "omega"];
 
 impl MotionVector {
-    /// Compiles a model that observes this vector in place of a marker, with derivatives by the state and all
-    /// parameters. `None` if the motion of the model's body has no such vector.
+    /// Compiles a model that observes this vector in place of a marker, or `None` if the motion has no such vector.
     pub fn compile(self, model: &Model) -> Option<CompiledModel> {
         let mut own = model.clone();
         own.forces.clear();

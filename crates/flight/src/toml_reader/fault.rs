@@ -47,8 +47,7 @@ impl fmt::Display for ReleaseError {
 
 impl std::error::Error for ReleaseError {}
 
-/// End of an error message on an unknown name: `; did you mean "…"?` if a valid name is similar, otherwise the list of
-/// all valid names.
+/// End of a message on an unknown name: `; did you mean "…"?` if a valid one is similar, otherwise all valid names.
 pub fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> + Clone) -> String {
     let near = names
         .clone()

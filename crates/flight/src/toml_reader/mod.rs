@@ -38,8 +38,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Returns `value`, the result of parsing the text, if no fault was recorded; `file` is the name of the text in
-    /// error messages.
+    /// Returns `value`, parsed from the text, if no fault was recorded; `file` is its name in messages.
     ///
     /// # Errors
     /// [`ReleaseError`] with the faults in order of location if there are any, or if `value` is `None`.
@@ -56,6 +55,12 @@ impl<'t> Reader<'t> {
             location: Some(line_and_column(self.text, span.start)),
             message: message.into(),
         });
+    }
+
+    /// As [`fault`](Self::fault); returns `None`.
+    pub fn refuse<V>(&mut self, span: Range<usize>, message: impl Into<String>) -> Option<V> {
+        self.fault(span, message);
+        None
     }
 
     pub(crate) fn faults_count(&self) -> usize {
@@ -76,17 +81,15 @@ impl<'t> Reader<'t> {
             Ok(document) => Some(document),
             Err(e) => {
                 let span = e.span().unwrap_or(0..0);
-                self.fault(
+                self.refuse(
                     span,
                     format!("this is no TOML: {}", e.message().replace('\n', "; ")),
-                );
-                None
+                )
             }
         }
     }
 
-    /// Entries of the table `key` of the document, each as key, span of the key, and value. Empty if the table is
-    /// absent; also if `key` is not a table, which is recorded as a fault.
+    /// Entries of the table `key`: key, its span, and value. Empty if it is absent, or, with a fault, no table.
     pub fn table<'d>(
         &mut self,
         document: &'d DeTable<'t>,
@@ -116,8 +119,7 @@ impl<'t> Reader<'t> {
         value
     }
 
-    /// Records a fault for each key of a table that is not in `names`; `context` follows the key in the message, as in
-    /// `" in [throw]"`.
+    /// Records a fault for each key of a table not in `names`; `context` follows it in the message: `" in [throw]"`.
     pub fn known_keys<'n>(
         &mut self,
         table: &DeTable<'t>,

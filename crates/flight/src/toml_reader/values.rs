@@ -24,8 +24,7 @@ impl<'t> Reader<'t> {
             .map(|a| a.iter().collect())
             .unwrap_or_default();
         let [x, y, z] = items[..] else {
-            self.wrong_type(value, name, "three numbers, as in [0.0, 0.0, 0.0]");
-            return None;
+            return self.refuse_type(value, name, "three numbers, as in [0.0, 0.0, 0.0]");
         };
         let numbers = [x, y, z].map(|item| self.number(item, name));
         Some([numbers[0]?, numbers[1]?, numbers[2]?])
@@ -53,8 +52,13 @@ impl<'t> Reader<'t> {
         table
     }
 
-    /// Records a fault for the value of the key `name`, which has the wrong type; `expected` describes the valid
-    /// values.
+    /// As [`wrong_type`](Self::wrong_type); returns `None`.
+    pub fn refuse_type<V>(&mut self, value: &Value<'t>, name: &str, expected: &str) -> Option<V> {
+        self.wrong_type(value, name, expected);
+        None
+    }
+
+    /// Records a fault for the value of the key `name` of a wrong type; `expected` describes the valid values.
     pub fn wrong_type(&mut self, value: &Value<'t>, name: &str, expected: &str) {
         let found = match value.get_ref() {
             DeValue::String(text) if text.len() <= 40 => format!("the text {text:?}"),
@@ -85,8 +89,7 @@ pub fn number_of(value: &Value<'_>) -> Option<f64> {
 }
 
 impl Name {
-    /// Returns a description of the valid values of this parameter or coefficient if `value` is invalid; `None` if it
-    /// is valid.
+    /// Description of the valid values of this parameter or coefficient if `value` is invalid; otherwise `None`.
     pub fn expected_instead_of(&self, value: f64) -> Option<String> {
         let named = |names: &[&str]| names.contains(&&*self.name);
         match self.bounds {

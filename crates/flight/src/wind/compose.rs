@@ -71,8 +71,7 @@ fn profile(profile: &Profile) -> Result<EffectTree, LoadError> {
     }
 }
 
-/// Statements that define the height `wind_height` and, from tables over this height, the wind velocity
-/// `wind_of_profile`.
+/// Statements of the height `wind_height` and, from tables over it, the wind velocity `wind_of_profile`.
 fn table_statements(rows: &[[f64; 4]]) -> String {
     let mut text = String::new();
     for axis in 1..=3 {
@@ -97,16 +96,14 @@ fn table_statements(rows: &[[f64; 4]]) -> String {
         + &format!("let wind_of_profile = ({components}) in inertial;\n")
 }
 
-/// Mean wind as an expression of the height: the model's constant input `wind` if it has one, plus the wind profile if
-/// there is one.
+/// Mean wind as an expression of the height: the model's constant input `wind`, plus the profile, if there are any.
 struct MeanWind<'a> {
     has_input: bool,
     profile: Option<&'a EffectTree>,
 }
 
 impl MeanWind<'_> {
-    /// Expression of the velocity vector of the mean wind at the expression `height`; the zero vector if there is
-    /// neither an input nor a profile.
+    /// Velocity of the mean wind at the expression `height`; the zero vector without an input and a profile.
     fn at(&self, height: &str) -> String {
         let mut winds = Vec::new();
         if let Some(profile) = self.profile {
@@ -136,8 +133,7 @@ impl MeanWind<'_> {
     }
 }
 
-/// Replaces, in the expression `e`, each name that is a key of `lets` by the definition in `lets`, recursively; the
-/// definitions must not be cyclic.
+/// Replaces names in `e` by their definitions in `lets`, recursively; these must not be cyclic.
 fn insert(e: &mut Expr, lets: &HashMap<&str, ExprKind>) {
     while let ExprKind::Name(own) = &e.kind
         && let Some(value) = lets.get(own.as_str())

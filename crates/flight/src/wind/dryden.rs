@@ -8,8 +8,7 @@ use rand_chacha::ChaCha8Rng;
 /// Number of sinusoids whose sum represents one component of the gusts.
 pub const GUST_TERMS: usize = 24;
 
-/// Upper edges of the first and of the last wavenumber band of the gust spectrum, as products of wavenumber and length
-/// scale of the gusts.
+/// Upper edges of the first and last wavenumber band of the gust spectrum, times the length scale of the gusts.
 const BAND: (f64, f64) = (0.1, 20.0);
 
 /// Components of the gusts: u along the horizontal direction of flight, v across it to the left, w upwards.
@@ -64,8 +63,7 @@ fn between(of: fn(f64) -> f64, value: f64, mut low: f64, mut high: f64) -> f64 {
     (low + high) / 2.0
 }
 
-/// Names and values (rad, uniform from 0 to 2π) of the phases of a flight's gusts; they depend only on the seed and the
-/// index of the flight.
+/// Names and values (rad, uniform from 0 to 2π) of the phases of a flight's gusts, by seed and index of the flight.
 pub fn gust_phases(seed: u64, flight: u64) -> Vec<(String, f64)> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(flight);

@@ -11,8 +11,7 @@ mod text;
 pub use dryden::{GUST_TERMS, gust_phases, gust_spectrum};
 pub use read::{StatedWind, read_wind_file};
 
-/// Wind that may be specified in a release file in addition to a constant wind: a mean wind as a function of the
-/// height, gusts, or both.
+/// Wind of a release file in addition to a constant one: a mean wind by height, gusts, or both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindField {
     /// Mean wind as a function of the height; `None` if there is only a constant mean wind.
@@ -40,8 +39,7 @@ pub enum Profile {
         /// Exponent n of the power law, dimensionless.
         exponent: f64,
     },
-    /// Velocities at given heights, interpolated by monotone cubics with a continuous derivative; constant below the
-    /// first height and above the last one.
+    /// Velocities at given heights, by monotone cubics with a continuous derivative; constant beyond the ends.
     Table {
         /// Rows of height above the ground (m, increasing) and the three components of the wind velocity, m/s.
         rows: Vec<[f64; 4]>,
@@ -59,8 +57,7 @@ pub struct ReferenceWind {
     pub height: f64,
 }
 
-/// Gusts with Dryden spectra, frozen in the air that the mean wind carries along. Components: u along the direction of
-/// flight, v across it to the left, w upwards.
+/// Gusts with Dryden spectra, frozen in the air of the mean wind: u along the flight, v across to the left, w upwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gusts {
     /// Seed of the random phases of the sinusoids that represent the gusts.
@@ -71,8 +68,7 @@ pub struct Gusts {
     pub heading: f64,
     /// Factor by which all gusts are multiplied.
     pub intensity: f64,
-    /// Height above the ground at which the mean wind carries the gusts, m; [`GustStrength::LowAltitude`] also derives
-    /// intensities and length scales from it.
+    /// Height at which the mean wind carries the gusts, m, and for [`GustStrength::LowAltitude`] that of its model.
     pub height: f64,
     /// Source of the standard deviations and length scales of the gusts.
     pub strength: GustStrength,
@@ -81,11 +77,9 @@ pub struct Gusts {
 /// Source of the standard deviations and length scales of gusts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GustStrength {
-    /// Standard deviations and length scales follow from the mean wind at 20 ft and the height of the gusts, by the
-    /// low-altitude model of MIL-F-8785C.
+    /// Deviations and length scales by the low-altitude model of MIL-F-8785C, from the wind at 20 ft and the height.
     LowAltitude,
-    /// Standard deviations and length scales of the gust components u, v and w are specified in the file from which the
-    /// wind was read.
+    /// Standard deviations and length scales of u, v and w as in the file of the wind.
     Stated {
         /// Standard deviations of u, v and w, m/s.
         sd: [f64; 3],
@@ -95,8 +89,7 @@ pub enum GustStrength {
 }
 
 impl WindField {
-    /// Names and values of the parameters that the wind adds to a model, in the units of these parameters: SI, with
-    /// directions in degrees.
+    /// Names and values of the parameters that the wind adds to a model, in SI, with directions in degrees.
     #[doc(hidden)]
     pub fn parameters(&self) -> Vec<(String, f64)> {
         let mut own = self.clone();
@@ -107,8 +100,7 @@ impl WindField {
         values.chain(phases).collect()
     }
 
-    /// Sets the parameter of this name to a value in the unit that [`parameters`](Self::parameters) uses; returns false
-    /// if the wind has no such parameter.
+    /// Sets a parameter, in the unit of [`parameters`](Self::parameters); false if the wind has no such one.
     #[doc(hidden)]
     pub fn set(&mut self, name: &str, value: f64) -> bool {
         let mut places = self.places().into_iter();

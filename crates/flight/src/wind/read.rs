@@ -33,15 +33,10 @@ const GUST_KEYS: [&str; 8] = [
     "length",
 ];
 
-/// Wind specified in a release file: the constant wind in the inertial frame, m/s, 0 if not specified; and the wind by
-/// height and gusts, `None` if neither of these is specified.
+/// Wind of a release file: constant in the inertial frame, m/s; and by height and gusts, if there are any.
 pub type StatedWind = ([f64; 3], Option<WindField>);
 
-/// Reads the wind from the table `[wind]` of a TOML file; other tables are ignored, so that the flight of one release
-/// can be simulated in the wind of another.
-///
-/// # Errors
-/// [`ReleaseError`] with all faults of the table, also if the file cannot be read or has no such table.
+/// Reads the table `[wind]` of a TOML file, to simulate one release in the wind of another.
 pub fn read_wind_file(path: &Path) -> Result<StatedWind, ReleaseError> {
     read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
         let mut reader = Reader::new(text);
@@ -113,10 +108,7 @@ impl<'t> Reader<'t> {
         let (law, own, other) = match value.get_ref().as_str() {
             Some("log") => ("log", "roughness", "exponent"),
             Some("power") => ("power", "exponent", "roughness"),
-            _ => {
-                self.wrong_type(value, "profile", "\"log\" or \"power\"");
-                return None;
-            }
+            _ => return self.refuse_type(value, "profile", "\"log\" or \"power\""),
         };
         if let Some(value) = table.get(other) {
             let message = format!("found {other} with the profile {law:?}; expected {own}");
@@ -148,16 +140,14 @@ impl<'t> Reader<'t> {
             "2 to 500 rows of height and wind, as in [[0.5, 1.0, 0.0, 0.0], [2.0, 2.5, 0.0, 0.0]]";
         let items = value.get_ref().as_array();
         let Some(items) = items.filter(|items| (2..=MAX_ROWS).contains(&items.len())) else {
-            self.wrong_type(value, "table", EXPECTED);
-            return None;
+            return self.refuse_type(value, "table", EXPECTED);
         };
         let mut rows: Vec<[f64; 4]> = Vec::new();
         for item in items {
             let numbers = item.get_ref().as_array().filter(|row| row.len() == 4);
             let Some(numbers) = numbers else {
                 let expected = "four numbers: height (m), then the wind's components (m/s)";
-                self.wrong_type(item, "a row", expected);
-                return None;
+                return self.refuse_type(item, "a row", expected);
             };
             let mut row = [0.0; 4];
             for (k, (slot, number)) in row.iter_mut().zip(numbers).enumerate() {
@@ -173,8 +163,7 @@ impl<'t> Reader<'t> {
                     "the height {} m follows {} m; expected heights that grow by 1 mm or more",
                     row[0], last[0]
                 );
-                self.fault(item.span(), message);
-                return None;
+                return self.refuse(item.span(), message);
             }
             rows.push(row);
         }
@@ -184,15 +173,13 @@ impl<'t> Reader<'t> {
     fn gusts(&mut self, value: &Value<'t>, heading: f64) -> Option<Gusts> {
         let Some(table) = value.get_ref().as_table() else {
             let expected = "a table, as in [wind.gusts] with model = \"dryden\"";
-            self.wrong_type(value, "gusts", expected);
-            return None;
+            return self.refuse_type(value, "gusts", expected);
         };
         self.known_keys(table, " in [wind.gusts]", GUST_KEYS.into_iter());
         let absent = "found no model of the gusts; expected model = \"dryden\"";
         let model = self.required(table, "model", value.span(), absent)?;
         if model.get_ref().as_str() != Some("dryden") {
-            self.wrong_type(model, "model", "\"dryden\"");
-            return None;
+            return self.refuse_type(model, "model", "\"dryden\"");
         }
         let absent = "found no seed of the gusts; expected one, as in seed = 7";
         let seed = self.required(table, "seed", value.span(), absent)?;
@@ -209,11 +196,10 @@ impl<'t> Reader<'t> {
                 GustStrength::Stated { sd, length }
             }
             (Some(one), None) | (None, Some(one)) => {
-                self.fault(
+                return self.refuse(
                     one.span(),
                     "found sd or length alone; expected both, three numbers each, or none of them for the low-altitude model",
                 );
-                return None;
             }
         };
         let heights = match strength {
@@ -243,8 +229,7 @@ impl<'t> Reader<'t> {
                 "{name} is {numbers:?}; expected numbers from {} to {} {unit}",
                 bounds.0, bounds.1
             );
-            self.fault(value.span(), message);
-            return None;
+            return self.refuse(value.span(), message);
         }
         Some(numbers)
     }
@@ -275,22 +260,19 @@ impl<'t> Reader<'t> {
             let unit = if unit.is_empty() { "" } else { " " }.to_owned() + unit;
             let message =
                 format!("{name} is {number}; expected a number from {least} to {greatest}{unit}");
-            self.fault(value.span(), message);
-            return None;
+            return self.refuse(value.span(), message);
         }
         Some(number)
     }
 
-    /// Parses a non-negative integer that `f64` represents exactly; records a fault and returns `None` for anything
-    /// else.
+    /// Parses a non-negative integer that `f64` represents exactly; a fault and `None` for anything else.
     fn count(&mut self, value: &Value<'t>, name: &str) -> Option<u64> {
         const GREATEST: f64 = 9_007_199_254_740_992.0;
         let number = self.number(value, name)?;
         if number.fract() != 0.0 || !(0.0..=GREATEST).contains(&number) {
             let message =
                 format!("{name} is {number}; expected a whole number from 0 to {GREATEST}");
-            self.fault(value.span(), message);
-            return None;
+            return self.refuse(value.span(), message);
         }
         Some(number as u64)
     }

@@ -5,8 +5,7 @@ use std::fmt::Write;
 use super::{GustStrength, Profile, ReferenceWind, WindField};
 
 impl WindField {
-    /// Formats the wind as the TOML tables `[wind]` and `[wind.gusts]`; `constant` is the constant wind, m/s, and is
-    /// written only if there is no mean wind as a function of the height.
+    /// The wind as the tables `[wind]` and `[wind.gusts]`; `constant`, m/s, only without a mean wind by height.
     pub fn to_toml(&self, constant: [f64; 3]) -> String {
         let mut text = "[wind]\n".to_owned();
         let reference = |text: &mut String, law: &str, at: &ReferenceWind| {

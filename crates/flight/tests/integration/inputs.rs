@@ -183,17 +183,19 @@ fn tables_of_inputs_are_checked() {
         ("t,a\n0,1.2.3\n", "\"1.2.3\""),
         ("t,a\n0,0x1\n", "\"0x1\""),
         ("t,a\n0,1\n700,1\n", "t = 700"),
-        ("t,a\n0,\"1\n", "\"1"),
+        ("t,a\n0,\"1\n", "a quote that is not closed"),
         ("0,1\n1,2\n", "no column t"),
     ] {
         let read = read_inputs(table, InputInterpolation::Linear, |t| t);
         let fault = read.expect_err(table);
         assert!(fault.found.contains(told), "{table:?}: {fault:?}");
         assert!(
-            fault.place.0 >= 1 && !fault.expected.is_empty(),
+            fault.location.place().0 >= 1 && !fault.expected.is_empty(),
             "{table:?}: {fault:?}"
         );
     }
+    let comma = read_inputs("t;a\n0;1,5\n", InputInterpolation::Linear, |t| t);
+    assert_eq!(comma.expect("a decimal comma")[0].1.at(0.0), 1.5);
     let mixed = read_inputs("\u{FEFF}t\ta\n0\t1\n2\t3", InputInterpolation::Hold, |t| {
         t / 2.0
     });

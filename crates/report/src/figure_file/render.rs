@@ -84,8 +84,7 @@ mod tests {
         assert!(FigureKind::Pdf.draw("<svg").is_err());
     }
 
-    /// The title of a figure is rendered in the PNG image: a different title gives a different image. Tooltips with
-    /// values are not rendered.
+    /// A figure's title is rendered in the PNG image, and a different one gives another image; tooltips are not.
     #[test]
     fn text_is_drawn_and_values_are_not() {
         let pixels = |svg: &str| FigureKind::Png.draw(svg).unwrap();

@@ -10,8 +10,7 @@ const SAMPLES: usize = 400;
 /// Maximum ratio of the peak magnitudes of two states in one panel.
 const APART: f64 = 8.0;
 
-/// Draws a simulated flight as SVG: side and top view if the states include `x`, `y` and `z`, and the inputs that vary
-/// and all states over time.
+/// Draws a flight as SVG: side and top view if the states include `x`, `y` and `z`, varying inputs, and all states.
 ///
 /// # Panics
 /// If the number of labels differs from the number of states.

@@ -90,8 +90,7 @@ fn panels(
     groups.into_iter().map(panel).collect()
 }
 
-/// Symbol of a state after Hubbard & Hummel (2000), such as `α̇` for `alphadot`; other names are unchanged, except that the
-/// suffix `dot` becomes a dot above the last letter.
+/// Symbol of a state after Hubbard & Hummel (2000), as `α̇` for `alphadot`; any suffix `dot` becomes a dot above.
 pub(crate) fn symbol(name: &str) -> String {
     let (base, dot) = match name.strip_suffix("dot") {
         Some(base) if !base.is_empty() => (base, "\u{307}"),

@@ -30,7 +30,8 @@ pub(super) fn section(page: &FitPage<'_>) -> Html {
     content.heading("Compared with the literature");
     content.table(&literature(page, &all));
     let sources = sources(page.model.reference.as_deref()).iter();
-    let cited = sources.map(|source| Html::strong(source.short).then(format!(": {}", source.long)));
+    let cited =
+        sources.map(|source| Html::strong(&source.short).then(format!(": {}", source.long)));
     content.list("note", cited);
     content
 }
@@ -97,9 +98,7 @@ fn literature(page: &FitPage<'_>, all: &[(&str, &Coefficient)]) -> Table {
         .number("this fit", |(_, c)| digits(c).one(c.value))
         .number("model’s file", |(_, c)| stated(c.model_value));
     for source in sources(page.model.reference.as_deref()) {
-        rows = rows.number(source.short, |(name, _)| {
-            source.value(name).map(|value| value.to_string())
-        });
+        rows = rows.number(&source.short, |(name, _)| source.values.get(*name).cloned());
     }
     rows.plain("unit", |(_, c)| unit(&c.unit))
         .text("meaning", |(name, _)| meaning(name))

@@ -18,8 +18,7 @@ pub struct Landings {
 }
 
 impl Landings {
-    /// Ellipse that contains a fraction of the normal distribution: semi-axes, m, the longer first, and direction of the
-    /// longer one, rad, from +x towards +y.
+    /// Ellipse of a fraction of the normal distribution: semi-axes, m, the longer first, and its direction, rad.
     pub fn ellipse(&self, fraction: f64) -> (f64, f64, f64) {
         let eigen = self.covariance.symmetric_eigen();
         let (long, short) = match eigen.eigenvalues[0] >= eigen.eigenvalues[1] {
@@ -34,9 +33,6 @@ impl Landings {
 }
 
 /// Covariance of the landing position, m², to first order; `near` is a similar state at release.
-///
-/// # Errors
-/// [`ThrowFlightError`] if the throw cannot be flown.
 pub fn landing_covariance(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

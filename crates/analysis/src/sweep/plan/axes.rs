@@ -7,8 +7,6 @@ use flight::throw::{FIELDS, Throw};
 use model_spec::layout::Layout;
 use toml::de::DeTable;
 
-use super::refuse;
-
 /// Key in `[vary]` that requests different random gusts in every flight.
 const GUSTS: &str = "gusts";
 /// Maximum number of grid values of one quantity.
@@ -227,8 +225,7 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
     const EXPECTED: &str = "a table, as in { values = [1.0, 2.0] }, { range = [0.0, 1.0], count = 5 }, { normal = [0.0, 1.0] }, \
          { sd = 1.0 } or { uniform = [0.0, 1.0] }";
     let Some(table) = value.get_ref().as_table() else {
-        reader.wrong_type(value, name, EXPECTED);
-        return None;
+        return reader.refuse_type(value, name, EXPECTED);
     };
     let keys = ["values", "range", "count", "normal", "sd", "uniform"];
     reader.known_keys(table, &format!(" for {name}"), keys.into_iter());
@@ -241,12 +238,12 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
             false => given.join(" and "),
         };
         let message = format!("{name} has {found}; expected one of {}", ways.join(", "));
-        return refuse(reader, value.span(), message);
+        return reader.refuse(value.span(), message);
     };
     let given = table.get(way)?;
     if let Some(count) = table.get("count").filter(|_| way != "range") {
         let message = format!("found count with {way}; expected it only with range");
-        return refuse(reader, count.span(), message);
+        return reader.refuse(count.span(), message);
     }
     match way {
         "values" => list(reader, name, given, 1..=MAX_VALUES).map(AxisKind::Values),
@@ -254,13 +251,13 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
             let ends = list(reader, name, given, 2..=2)?;
             let Some(count_value) = table.get("count") else {
                 let message = format!("found no count with the range of {name}");
-                return refuse(reader, given.span(), message);
+                return reader.refuse(given.span(), message);
             };
             let count = reader.number(count_value, "count")?;
             if !(count >= 2.0 && count <= MAX_VALUES as f64 && count.fract() == 0.0) {
                 let message =
                     format!("count is {count}; expected a whole number from 2 to {MAX_VALUES}");
-                return refuse(reader, count_value.span(), message);
+                return reader.refuse(count_value.span(), message);
             }
             let last = count - 1.0;
             let at = |k: usize| {
@@ -276,7 +273,7 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
                 let message = format!(
                     "{name} is uniform from {low} to {high}; expected the lower bound first"
                 );
-                return refuse(reader, given.span(), message);
+                return reader.refuse(given.span(), message);
             }
             Some(AxisKind::Uniform { low, high })
         }
@@ -291,7 +288,7 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
             if sd <= 0.0 {
                 let message =
                     format!("the standard deviation of {name} is {sd}; expected a number above 0");
-                return refuse(reader, given.span(), message);
+                return reader.refuse(given.span(), message);
             }
             Some(AxisKind::Normal { mean, sd })
         }
@@ -311,8 +308,7 @@ fn list<'t>(
             2 => "two numbers, as in [0.0, 1.0]".to_owned(),
             most => format!("a list of 1 to {most} numbers"),
         };
-        reader.wrong_type(value, name, &expected);
-        return None;
+        return reader.refuse_type(value, name, &expected);
     };
     items.iter().map(|item| reader.number(item, name)).collect()
 }

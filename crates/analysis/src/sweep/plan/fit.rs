@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
+use flight::files::bounded_text;
 use flight::release::Reader;
 use serde_json::Value as Json;
 use toml::de::DeTable;
 
 use super::axes::{Axis, AxisKind, Names, Target};
-use super::refuse;
 
 /// Maximum size of `report.json`, bytes.
 const MAX_BYTES: u64 = 64 << 20;
@@ -23,9 +23,8 @@ pub(super) struct Fitted {
     pub fixed: Vec<(String, f64)>,
 }
 
-/// Reads the table `[fit]`: `report`, the path of a `report.json` relative to the plan, and optionally `coefficients`, the
-/// names of the coefficients to vary. Coefficients already in `varied` are left out. `None` without the table, or after
-/// a fault.
+/// Reads the table `[fit]`: `report`, the path of a `report.json` relative to the plan, and optionally `coefficients`,
+/// the names of those to vary, without those in `varied`. `None` without it or after a fault.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -57,15 +56,19 @@ pub(super) fn read<'t>(
     let Some((path, span)) = report else {
         let message =
             "found no report in [fit]; expected one, as in report = \"fitted/report.json\"";
-        return refuse(reader, table.span(), message);
+        return reader.refuse(table.span(), message);
     };
-    let json = match open(&folder.join(path)) {
+    let text = bounded_text(&folder.join(path), MAX_BYTES).map_err(|error| error.to_string());
+    let json = text.and_then(|text| {
+        serde_json::from_str::<Json>(&text).map_err(|error| format!("is no JSON: {error}"))
+    });
+    let json = match json {
         Ok(json) => json,
-        Err(error) => return refuse(reader, span, format!("{path}: {error}")),
+        Err(error) => return reader.refuse(span, format!("{path}: {error}")),
     };
     let Some(coefficients) = json["coefficients"].as_object() else {
         let message = format!("{path}: found no coefficients; expected the report.json of a fit");
-        return refuse(reader, span, message);
+        return reader.refuse(span, message);
     };
     for name in only.iter().flatten() {
         if !coefficients.contains_key(*name) {
@@ -109,22 +112,4 @@ pub(super) fn read<'t>(
         }
     }
     Some(found)
-}
-
-#[derive(Debug, thiserror::Error)]
-enum ReportError {
-    #[error(transparent)]
-    Unreadable(#[from] std::io::Error),
-    #[error("has {0} bytes; expected at most {MAX_BYTES}")]
-    TooLong(u64),
-    #[error("is no JSON: {0}")]
-    Malformed(#[from] serde_json::Error),
-}
-
-fn open(path: &Path) -> Result<Json, ReportError> {
-    let size = std::fs::metadata(path)?.len();
-    if size > MAX_BYTES {
-        return Err(ReportError::TooLong(size));
-    }
-    Ok(serde_json::from_str(&std::fs::read_to_string(path)?)?)
 }

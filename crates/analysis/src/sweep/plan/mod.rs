@@ -9,20 +9,13 @@ pub(crate) use axes::constant;
 pub use axes::{Axis, AxisKind, Target};
 pub use read::{MAX_FLIGHTS, read, read_file};
 
-use std::ops::Range;
-
-use flight::release::{Reader, Release};
+use flight::release::Release;
 use flight::throw::Throw;
 use model_spec::model::Model;
 use ode::IntegrationOptions;
 
 use crate::sweep::folder::fingerprint;
 use correlation::Factor;
-
-fn refuse<V>(reader: &mut Reader<'_>, span: Range<usize>, message: impl Into<String>) -> Option<V> {
-    reader.fault(span, message);
-    None
-}
 
 /// Plan of a sweep: flights of one model whose inputs are determined by the flight number.
 ///

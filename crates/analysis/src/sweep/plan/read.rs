@@ -12,7 +12,7 @@ use toml::de::DeTable;
 
 use super::axes::{self, Axis, AxisKind, Names};
 use super::correlation::Factor;
-use super::{Plan, fit, refuse};
+use super::{Plan, fit};
 
 /// Maximum number of flights.
 pub const MAX_FLIGHTS: u64 = 1 << 40;
@@ -33,9 +33,6 @@ const OWN_KEYS: [&str; 8] = [
 ];
 
 /// Reads a plan (TOML); paths in it are relative to the folder of the file.
-///
-/// # Errors
-/// [`ReleaseError`] with all faults of the file, or if the file cannot be read.
 pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
     let folder = path.parent().unwrap_or(Path::new("."));
     read_text(path, "a plan", MAX_FILE_BYTES, |file, text| {
@@ -45,9 +42,6 @@ pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
 
 /// Parses the text of a plan: a release, with `effects`, `flights`, `seed`, `tolerance`, `method`, `[vary]`,
 /// `[[correlations]]` and `[fit]`. Paths are relative to `folder`; `file` is the plan's name in messages.
-///
-/// # Errors
-/// [`ReleaseError`] with all faults of the text.
 pub fn read(file: &str, text: &str, folder: &Path) -> Result<Plan, ReleaseError> {
     let parsed = DeTable::parse(text).ok();
     let effects = parsed.as_ref().map(|d| effects(d.get_ref(), folder));
@@ -186,7 +180,7 @@ fn whole<'t>(
         return Some(number as u64);
     }
     let message = format!("{key} is {number}; expected a whole number from {least} to {greatest}");
-    refuse(reader, value.span(), message)
+    reader.refuse(value.span(), message)
 }
 
 /// Reads method and tolerance; by default the method that needs fewer evaluations for the release.
@@ -203,7 +197,7 @@ fn options<'t>(
             if !(1e-13..=0.1).contains(&tolerance) {
                 let message =
                     format!("tolerance is {tolerance}; expected a number from 1e-13 to 0.1");
-                return refuse(reader, value.span(), message);
+                return reader.refuse(value.span(), message);
             }
             tolerance
         }
@@ -232,10 +226,7 @@ fn options<'t>(
     options.method = match value.get_ref().as_str() {
         Some("tsit5") => Method::Tsit5,
         Some("dop853") => Method::Dop853,
-        _ => {
-            reader.wrong_type(value, "method", "\"tsit5\" or \"dop853\"");
-            return None;
-        }
+        _ => return reader.refuse_type(value, "method", "\"tsit5\" or \"dop853\""),
     };
     Some(options)
 }
@@ -273,8 +264,7 @@ fn correlations<'t>(
     const EXPECTED: &str =
         "tables, as in [[correlations]] with of = [\"speed\", \"spin\"] and value = 0.5";
     let Some(items) = given.get_ref().as_array() else {
-        reader.wrong_type(given, "correlations", EXPECTED);
-        return None;
+        return reader.refuse_type(given, "correlations", EXPECTED);
     };
     for item in items {
         let table = item.get_ref().as_table();
@@ -320,5 +310,5 @@ fn factor(
 ) -> Option<Factor> {
     let message =
         "no distribution has these correlations; expected a matrix without negative eigenvalues";
-    Factor::of(matrix).or_else(|| refuse(reader, span, message))
+    Factor::of(matrix).or_else(|| reader.refuse(span, message))
 }

@@ -8,8 +8,7 @@ use nalgebra::Vector3;
 
 use crate::takes::axes::Axis;
 
-/// Minimum cosine of the angle between the normal of a force platform and a coordinate axis for the platform to count
-/// as level, with this axis as the vertical.
+/// Minimum cosine between a force platform's normal and a coordinate axis for the platform to be level.
 const LEVEL: f64 = 0.98;
 
 pub(super) fn up(corners: &[f64]) -> Option<Axis> {
@@ -24,8 +23,7 @@ pub(super) fn up(corners: &[f64]) -> Option<Axis> {
     found
 }
 
-/// Coordinate axis that points upwards out of the floor, from three consecutive corners of a force platform; `None` if
-/// the platform is not level.
+/// Axis that points upwards out of the floor, from three consecutive corners of a platform; `None` if it is not level.
 fn above([a, b, c]: [Vector3<f64>; 3]) -> Option<Axis> {
     let into = (a - b).cross(&(b - c));
     let index = (0..3).find(|&axis| into[axis].abs() > LEVEL * into.norm())?;

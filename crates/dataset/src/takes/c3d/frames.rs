@@ -2,7 +2,7 @@
 
 use super::parameters::Parameters;
 use super::{Deviation, fault, refuse};
-use crate::takes::error::Fault;
+use crate::takes::Fault;
 
 /// Maximum frame number that a 16-bit word of the C3D header can state.
 const LAST_OF_HEADER: u32 = 0xffff;
@@ -85,8 +85,7 @@ pub(super) fn frames(
     })
 }
 
-/// Number of the first frame of a C3D file and number of frames, from the header, or from the parameters if the 16 bits
-/// of the header do not suffice.
+/// First frame of a C3D file and number of frames, from the header, or from the parameters beyond its 16 bits.
 fn stated(
     parameters: &Parameters<'_>,
     first: u32,

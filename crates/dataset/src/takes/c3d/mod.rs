@@ -149,8 +149,7 @@ impl<'a> Recording<'a> {
         self.data_start + frame * self.frames.bytes
     }
 
-    /// Frame rate, Hz. An error if the header and `POINT:RATE` state different rates, or if the rate is absent or out of
-    /// range.
+    /// Frame rate, Hz; an error if it is absent or out of range, or header and `POINT:RATE` differ.
     pub fn rate(&self) -> Result<f64, Fault> {
         let stated = self.parameters.number("POINT", "RATE")?;
         let rate = agreed(20, "POINT:RATE", stated, self.header_rate, 1e-3)?;
@@ -170,8 +169,7 @@ impl<'a> Recording<'a> {
         }
     }
 
-    /// Axis that points up, derived from the corners of the force platforms in the floor; `None` if they do not
-    /// determine it.
+    /// Axis that points up, from the corners of the force platforms; `None` if they do not determine it.
     pub fn floor_up(&self) -> Option<Axis> {
         floor::up(&self.parameters.floats("FORCE_PLATFORM", "CORNERS"))
     }

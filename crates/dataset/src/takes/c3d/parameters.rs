@@ -23,8 +23,7 @@ pub(super) struct Parameters<'a> {
     start: usize,
     groups: BTreeMap<String, u8>,
     parameters: BTreeMap<(u8, String), Parameter<'a>>,
-    /// Fault of a parameter that extends past the section, and the byte offset of its end in the file; only the
-    /// parameters before it are read.
+    /// Fault of a parameter that extends past the section, and its end in the file; only those before it are read.
     pub cut: Option<(Fault, usize)>,
 }
 
@@ -224,8 +223,7 @@ impl<'a> Parameters<'a> {
         })
     }
 
-    /// Labels of the points from the parameters LABELS, LABELS2, …, each of which contains at most 255 labels. Only the
-    /// first `points` labels are returned; there may be fewer.
+    /// Labels of at most `points` points, from LABELS, LABELS2, …, each of which has up to 255; there may be fewer.
     pub fn labels(&self, points: usize) -> Result<Vec<String>, Fault> {
         let mut labels = Vec::new();
         for number in 1.. {

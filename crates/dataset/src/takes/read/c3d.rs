@@ -78,8 +78,7 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     Ok(take)
 }
 
-/// Axis that points up: from the force platforms if they determine it, otherwise the axis that `POINT:Y_SCREEN` draws
-/// upwards; `None` if neither determines it.
+/// Axis that points up: from the force platforms, otherwise the one that `POINT:Y_SCREEN` draws upwards, or `None`.
 fn up(recording: &Recording<'_>, notes: &mut Vec<String>) -> Option<Axis> {
     let drawn = recording.screen_up().and_then(|text| Axis::parse(&text));
     let floor = recording.floor_up();

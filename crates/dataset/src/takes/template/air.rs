@@ -16,15 +16,13 @@ const MIN_SINE: f64 = 0.2;
 /// spin axis. It is a fraction of the product of lift acceleration and wobble angle (rad).
 const UNKNOWN: f64 = 0.5;
 
-/// Displacements of the centre of mass by aerodynamic forces that change with the wobble of the spin axis, m: one row
-/// per sample, one column per axis of the room.
+/// Displacements of the centre of mass by the wobble, m: one row per sample, one column per axis.
 pub(super) struct AirMotion {
     pub known: DMatrix<f64>,
     pub unknown: DMatrix<f64>,
 }
 
-/// Computes the displacements of the centre of mass by the aerodynamic forces that change with the wobble of the spin
-/// axis.
+/// Computes the displacements of the centre of mass by the forces that change with the wobble of the spin axis.
 pub(super) fn air_motion(
     times: &[f64],
     smooth: &Smooth,

@@ -24,39 +24,31 @@ const PASSES: usize = 3;
 /// with weights. For such a spin, the matrix B has one small eigenvalue. The values are the minimum ratio of B's middle
 /// eigenvalue to the sum of the weights, and the maximum ratio of its least to its middle eigenvalue.
 const SPIN: (f64, f64) = (0.05, 0.5);
-/// Minimum ratio of the mean square of the wobble of the spin axis to the mean square of the axis's measurement noise,
-/// for the height of the centre of mass to be estimated.
+/// Minimum mean square of the wobble relative to that of the axis's noise for the height of the centre to be estimated.
 const WOBBLE: f64 = 0.1;
-/// Minimum sine of the elevation of the spin axis at the beginning of a flight for the flight to count in the decision
-/// which direction of the axis points upwards.
+/// Minimum sine of the spin axis's elevation at the beginning of a flight that counts in which direction is upwards.
 const UPWARDS: f64 = 0.2;
 
 /// Spin axis and centre of mass of a body, in the body-fixed axes of [`Shape`] (marker positions on the body).
 pub(super) struct Centre {
-    /// Unit vector along the spin axis, in the body-fixed axes of [`Shape`]. Its direction is the one that points
-    /// upwards at the beginning of most flights.
+    /// Unit vector of the spin axis in the axes of [`Shape`], upwards at the beginning of most flights.
     pub axis: Vector3<f64>,
-    /// Covariance of the components, in the body-fixed axes of [`Shape`], of the unit vector along the spin axis
-    /// (dimensionless).
+    /// Covariance of the components of that unit vector, in the axes of [`Shape`] (dimensionless).
     pub axis_covariance: Matrix3<f64>,
-    /// Point of the spin axis at height 0, in the body-fixed axes of [`Shape`], m: the centre of mass if its height is
-    /// 0. Heights are measured along the axis from the mean of the markers.
+    /// Point of the spin axis at height 0 (that of the mean of the markers), in the axes of [`Shape`], m.
     pub foot: Vector3<f64>,
-    /// Covariance of the coordinates, in the body-fixed axes of [`Shape`], of the point of the spin axis at height 0
-    /// (field `foot`), m².
+    /// Covariance of the coordinates of that point, in the axes of [`Shape`], m².
     pub foot_covariance: Matrix3<f64>,
     /// Derivative of the point of the spin axis at height 0 (field `foot`) with respect to the height of the centre of
     /// mass along the axis (dimensionless). A centre of mass at the height h is at `foot + h * (slope + axis)`.
     pub slope: Vector3<f64>,
-    /// Estimated height of the centre of mass along the axis, relative to the mean of the markers, and its standard
-    /// error, m; `None` if the axis wobbles too little for an estimate.
+    /// Height of the centre of mass over the mean of the markers, and its error, m; `None` with little wobble.
     pub height: Option<(f64, f64)>,
     pub up: Option<UpVote>,
     pub turns: f64,
 }
 
-/// Poses of the body in one flight, with the noise of each pose and the degree of the polynomials that are fitted to
-/// trajectories of body points.
+/// Poses in one flight, with the noise of each and the degree of the polynomials fitted to trajectories.
 struct Motion {
     times: Vec<f64>,
     centres: DMatrix<f64>,
@@ -66,14 +58,12 @@ struct Motion {
     turns: f64,
 }
 
-/// Quantities that determine the covariance of one pose of the body, per unit variance of a measured coordinate; they
-/// depend only on the markers used for the pose.
+/// What determines the covariance of a pose, per unit variance of a coordinate; it depends only on the markers used.
 struct PoseNoise {
     count: f64,
     /// Mean position on the body, in the axes of [`Shape`], of the markers from which the pose is computed, m.
     mean: Vector3<f64>,
-    /// Expected square of the cross-product matrix of the rotation error δ of the pose, E([δ]ₓᵀ [δ]ₓ), per unit
-    /// variance of a measured coordinate, 1/m²; δ is expressed in the body-fixed axes of [`Shape`].
+    /// E([δ]ₓᵀ [δ]ₓ) of the rotation error δ in the axes of [`Shape`], per unit variance of a coordinate, 1/m².
     rotation: Matrix3<f64>,
 }
 
@@ -95,29 +85,24 @@ impl PoseNoise {
         })
     }
 
-    /// Weight of the trajectory of a body point: variance of one coordinate of a measured position, divided by the
-    /// variance of one coordinate of the point's computed position.
+    /// Weight of the trajectory of a body point: variance of a measured coordinate by that of the computed point.
     fn weight(&self, point: &Vector3<f64>) -> f64 {
         let arm = point - self.mean;
         1.0 / (1.0 / self.count + arm.dot(&(self.rotation * arm)) / 3.0)
     }
 }
 
-/// Sums over all flights for the estimate of the centre of mass. The body point p with the smoothest trajectory solves
-/// the normal equations B p = −b, where B is `raw` − `noise` and b is `right`. The field `weight` is the sum of the
-/// weights.
+/// Sums over all flights for the centre of mass: the body point p with the smoothest trajectory solves B p = −b, where
+/// B is `raw` − `noise` and b is `right`; `weight` is the sum of the weights.
 #[derive(Default)]
 struct Sums {
     raw: Matrix3<f64>,
     noise: Matrix3<f64>,
     right: Vector3<f64>,
     weight: f64,
-    /// Degrees of freedom of the residuals of the poses, summed over all flights; the measurement noise is estimated
-    /// with them.
+    /// Degrees of freedom of the residuals of the poses, summed over all flights, for the measurement noise.
     freedom: f64,
-    /// Contribution to the right-hand side b of the normal equations (field `right`) of the assumed magnitude of the
-    /// unknown displacement by aerodynamic forces; the error of the centre of mass due to this displacement is computed
-    /// from it.
+    /// Contribution to `right` of the assumed unknown displacement by the air, for the error that it causes.
     unknown: Vector3<f64>,
 }
 
@@ -138,9 +123,8 @@ pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre
             flight::cancellation::stop_if_cancelled();
             motion.add(&point, axis.as_ref(), variance, &mut sums);
         }
-        let found = axis_of(&sums).ok_or_else(|| TemplateError::NoSpin {
-            turns: motions.iter().map(|m| m.turns).sum(),
-        })?;
+        let found = axis_of(&sums)
+            .ok_or_else(|| TemplateError::NoSpin(motions.iter().map(|m| m.turns).sum()))?;
         axis = Some(found);
         let height = height(&sums, &found, variance).map_or(0.0, |(height, _)| height);
         let (foot, slope, _) = at_height_zero(&sums, &found);
@@ -168,8 +152,7 @@ pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre
     })
 }
 
-/// Unit vector of the spin axis: the eigenvector, for the least eigenvalue, of the matrix B of the normal equations B p
-/// = −b in `sums` for the centre of mass p. `None` if the body does not spin about one axis.
+/// Unit vector of the spin axis: the eigenvector of B for its least eigenvalue; `None` without one axis.
 fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     let eigen = SymmetricEigen::new(sums.raw - sums.noise);
     let mut order = [0, 1, 2];
@@ -179,10 +162,9 @@ fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     turns.then(|| eigen.eigenvectors.column(order[0]).into_owned())
 }
 
-/// Selects, among the body points at height 0 along the axis (the mean height of the markers), the one with the
-/// smoothest trajectory. Returns this point, m; the derivative of its components across the axis with respect to the
-/// height at which it is selected; and the inverse of the matrix of the normal equations in the plane normal to the
-/// axis.
+/// Selects, among the body points at the mean height of the markers, the one with the smoothest trajectory. Returns
+/// this point, m; the derivative of its components across the axis by the height; and the inverse of the normal matrix
+/// in the plane normal to the axis.
 fn at_height_zero(sums: &Sums, axis: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>, Matrix3<f64>) {
     let across = Matrix3::identity() - axis * axis.transpose();
     let matrix = sums.raw - sums.noise;
@@ -237,10 +219,8 @@ fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (
     )
 }
 
-/// Whether the spin axis `axis`, a unit vector in body-fixed axes, points upwards at the beginning of most flights.
-/// Flights that begin with an elevation of the axis whose sine is at most [`UPWARDS`] in magnitude are not counted. If
-/// as many flights begin with the axis upwards as downwards, the mean over all flights of the sine of the elevation
-/// decides.
+/// Whether the spin axis `axis`, in body-fixed axes, points upwards at the beginning of most flights. An elevation
+/// whose sine is at most [`UPWARDS`] does not count; among as many of both, the mean sine decides.
 fn side(motions: &[Motion], axis: &Vector3<f64>) -> (bool, Option<UpVote>) {
     let heights = motions.iter().map(|motion| {
         let early = (motion.rotations.len() / 10).max(3);
@@ -286,8 +266,7 @@ impl Motion {
         motion
     }
 
-    /// Maximum degree of the polynomials fitted to trajectories of this flight, limited by the numbers of turns and
-    /// samples.
+    /// Maximum degree of the polynomials of this flight, limited by the numbers of turns and samples.
     fn most(&self) -> usize {
         let by_turns = (DEGREES_PER_TURN * self.turns) as usize;
         let by_samples = self.times.len() / 4;
@@ -302,8 +281,7 @@ impl Motion {
         Smooth::new(&self.times, &self.weights(point), self.degree)
     }
 
-    /// Trajectory of a point of the body along the axes of the room, m, one row per sample; `point` has the coordinates
-    /// of the body point in the body-fixed axes.
+    /// Trajectory of the body point `point` along the axes of the room, m, one row per sample.
     fn path(&self, point: &Vector3<f64>) -> DMatrix<f64> {
         &self.centres + self.directions(point)
     }
@@ -315,10 +293,9 @@ impl Motion {
         })
     }
 
-    /// Adds the terms of this flight to `to`, the normal equations whose solution is the centre of mass. `point` is the
-    /// present estimate of the centre of mass, m, and determines the weights; `variance` is the variance of a measured
-    /// coordinate, m². If `axis`, the unit vector of the spin axis, is given, the known displacement by aerodynamic
-    /// forces is first subtracted from the trajectory. `point` and `axis` are in body-fixed axes.
+    /// Adds this flight to `to`, the normal equations of the centre of mass. The estimate `point`, m, determines the
+    /// weights; `variance` is that of a measured coordinate, m². With the spin axis `axis`, the known displacement by
+    /// the air is first subtracted from the trajectory. Both are in body-fixed axes.
     fn add(&self, point: &Vector3<f64>, axis: Option<&Vector3<f64>>, variance: f64, to: &mut Sums) {
         let weights = self.weights(point);
         let Some(smooth) = Smooth::new(&self.times, &weights, self.degree) else {
@@ -352,8 +329,7 @@ impl Motion {
         to.weight += weights.iter().sum::<f64>();
     }
 
-    /// Sets the degree of the polynomials that are fitted to trajectories of this flight: the degree with the smallest
-    /// Bayesian information criterion for the trajectory of the body point `point`.
+    /// Sets the degree of the polynomials by the Bayesian information criterion for the body point `point`.
     fn choose_degree(&mut self, point: &Vector3<f64>) {
         let weights = self.weights(point);
         let path = self.path(point);

@@ -10,8 +10,7 @@ use super::{CentreHeight, EstimatedMarker, EstimatedTemplate};
 const WORST_HEIGHT: f64 = 0.01;
 /// Minimum distance from the spin axis (third body axis), m, of the marker that the first body axis points to.
 const OFF_AXIS: f64 = 0.005;
-/// Number of parameters, in addition to the marker coordinates, on which the body frame depends: point of the spin axis
-/// at height 0 (3), direction of the axis (3), height of the centre of mass (1).
+/// Parameters of the body frame beside the markers: point (3), direction (3), height of the centre (1).
 const MORE: usize = 7;
 
 /// Assembles the template (marker positions in the body frame) from the shape (marker positions relative to their mean)
@@ -94,8 +93,7 @@ fn greatest(covariance: &Matrix3<f64>) -> f64 {
     covariance.symmetric_eigenvalues().max().max(0.0).sqrt()
 }
 
-/// Index of the marker that the first body axis points to: the first one that is farther than [`OFF_AXIS`] from the
-/// spin axis, or the farthest one if there is none.
+/// Marker that the first body axis points to: the first farther than [`OFF_AXIS`] from the spin axis, or the farthest.
 fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     let foot = centre.foot + centre.slope * height;
     let distance = |point: &Vector3<f64>| {
@@ -111,10 +109,9 @@ fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     off.unwrap_or_else(farthest)
 }
 
-/// Marker positions in the body frame whose first axis points to the marker with the index `first`, m. `values`
-/// contains `size` marker coordinates, the point of the spin axis at the mean height of the markers, the direction of
-/// the spin axis, and the height of the centre of mass above the mean of the markers, in this order. Only the field
-/// `slope` of `centre` is used: the derivative of the point of the spin axis with respect to this height.
+/// Marker positions, m, in the body frame whose first axis points to the marker `first`. `values` has `size` marker
+/// coordinates, then the point of the spin axis at the mean height of the markers, its direction, and the height of the
+/// centre of mass. Of `centre`, only `slope` is used.
 fn placed(values: &DVector<f64>, size: usize, centre: &Centre, first: usize) -> DVector<f64> {
     let vector = |at: usize| Vector3::new(values[at], values[at + 1], values[at + 2]);
     let third = vector(size + 3).normalize();

@@ -13,7 +13,7 @@ mod shape;
 mod smooth;
 mod text;
 
-use crate::takes::words::listed;
+use flight::table::listed;
 
 /// Times and measured marker positions of the samples of one free flight.
 #[derive(Clone, Copy, Debug)]
@@ -35,8 +35,7 @@ pub struct EstimatedTemplate {
     pub height: CentreHeight,
     /// Standard error of the direction of the third body axis, rad: the greatest over the directions normal to it.
     pub tilt_error: f64,
-    /// Number of flights that begin with the third body axis upwards and downwards; the axis points in the direction of
-    /// the majority. `None` if the two numbers are equal.
+    /// Numbers of flights that begin with the third body axis up and down, which decide its sign; `None` if equal.
     pub up: Option<UpVote>,
     /// Index of the marker that the first body axis points to.
     pub first: usize,
@@ -55,9 +54,8 @@ pub struct EstimatedTemplate {
 pub struct EstimatedMarker {
     /// Label of the marker in the recording.
     pub label: String,
-    /// Position of the marker in the body frame, m. The origin is the centre of mass, the third axis is the spin axis
-    /// (upwards at the beginning of most flights), and the first axis points towards the marker with the index
-    /// [`EstimatedTemplate::first`].
+    /// Position in the body frame, m: the origin is the centre of mass, the third axis the spin axis (upwards at the
+    /// beginning of most flights), and the first points to the marker [`EstimatedTemplate::first`].
     pub position: [f64; 3],
     /// Standard errors of the marker position along the body axes, m. If the height of the centre of mass was not
     /// estimated, the third value is the error of the marker's height relative to the other markers only.
@@ -103,20 +101,14 @@ pub enum TemplateError {
     /// There are fewer than 3 markers, too few for an attitude.
     #[error(
         "found {} ({}), expected at least 3 points that move as one body, or a template by --markers",
-        count(labels.len(), "point"), listed(labels)
+        count(.0.len(), "point"), listed(.0)
     )]
-    FewPoints {
-        /// Labels of the points that move as one body.
-        labels: Vec<String>,
-    },
+    FewPoints(Vec<String>),
     /// A marker is never seen together with enough other markers to determine its position on the body.
     #[error(
-        "found no sample that places {label} among the other points, expected it with 3 others or more, or a template by --markers"
+        "found no sample that places {0} among the other points, expected it with 3 others or more, or a template by --markers"
     )]
-    Unplaced {
-        /// Label of the marker whose position on the body cannot be determined.
-        label: String,
-    },
+    Unplaced(String),
     /// The markers lie on a line, which does not fix the attitude.
     #[error(
         "found the points on a line, expected points that fix an attitude, or a template by --markers"
@@ -134,16 +126,12 @@ pub enum TemplateError {
     },
     /// The body does not spin about one axis.
     #[error(
-        "found {turns:.1} turns of the body in all flights without one axis of spin, expected a body that spins about its axis, or a template by --markers"
+        "found {0:.1} turns of the body in all flights without one axis of spin, expected a body that spins about its axis, or a template by --markers"
     )]
-    NoSpin {
-        /// Number of turns of the body, summed over all flights.
-        turns: f64,
-    },
+    NoSpin(f64),
 }
 
-/// Minimum standard error that is reported for the position of the centre of mass along the spin axis, m, if its height
-/// is assumed.
+/// Minimum standard error reported for the centre of mass along the spin axis, m, if its height is assumed.
 const ASSUMED: f64 = 0.02;
 
 /// Number of standard errors of an estimated template within which a fit of the same flights may move it: the fit sees
@@ -166,8 +154,7 @@ impl EstimatedTemplate {
         [ALLOWED * across(0), ALLOWED * across(1), along].map(rounded_up)
     }
 
-    /// Allowed error of the direction of the third body axis relative to the markers for a fit of the same flights, rad:
-    /// several standard errors, rounded up to 1 µrad.
+    /// Allowed error of the third body axis for a fit of the same flights, rad: several standard errors, rounded up.
     pub fn axis_error(&self) -> f64 {
         rounded_up(ALLOWED * self.tilt_error)
     }
@@ -186,18 +173,13 @@ fn count(number: usize, noun: &str) -> String {
     }
 }
 
-/// Minimum number of samples with a determined attitude for a flight to contribute to the spin axis and the centre of
-/// mass.
+/// Minimum samples with an attitude for a flight to contribute to the spin axis and the centre of mass.
 const MIN_SAMPLES: usize = 12;
 
 /// Estimates the positions of the labelled markers from free flights of their body.
 ///
-/// `centre_height` is the height of the centre of mass above the mean of the markers along the third body axis (the
-/// spin axis, which points upwards at the beginning of most flights), m, if it is known. Otherwise it is estimated if
-/// the flights determine it, or assumed to be 0.
-///
-/// # Errors
-/// [`TemplateError`] if the flights do not determine the shape or the spin axis.
+/// `centre_height` is the height of the centre of mass above the mean of the markers along the third body axis, m. If
+/// it is `None`, it is estimated if the flights determine it, or assumed to be 0.
 pub fn estimate_template(
     labels: &[String],
     flights: &[FreeFlight<'_>],

@@ -8,29 +8,22 @@ use super::{FreeFlight, MIN_SAMPLES, TemplateError};
 use crate::statistics::{median, median_of, median_vector};
 use crate::takes::throws::{centred, fitted, moments};
 
-/// Maximum number of iterations of the estimate of the marker positions on the body, and number of initial iterations
-/// that also decide which measured positions are outliers.
+/// Maximum number of iterations for the marker positions, and of the first ones, which also decide on outliers.
 const PASSES: (usize, usize) = (60, 8);
-/// Maximum change of any marker position on the body in one iteration, m, at which the estimate of these positions
-/// counts as converged.
+/// Maximum change of a marker position in one iteration, m, at which the estimate counts as converged.
 const CONVERGED: f64 = 1e-9;
-/// Factors a and b of the maximum sum of squared residuals of a pose, σ² (f + a √(2f) + b), where f is the number of
-/// degrees of freedom and σ the standard deviation of a measured coordinate. If the sum is greater, a marker position
-/// is removed as an outlier.
+/// Factors a and b of the maximum sum of squared residuals of a pose, σ² (f + a √(2f) + b) for f degrees of freedom and
+/// the standard deviation σ of a coordinate; beyond it, a marker position is removed as an outlier.
 const MISFIT: (f64, f64) = (4.0, 8.0);
-/// Lower bound of the estimated standard deviation of a measured coordinate, m; without it, samples without noise would
-/// count as outliers.
+/// Lower bound of the standard deviation of a coordinate, m; otherwise samples without noise would be outliers.
 const FINEST: f64 = 1e-7;
-/// Ratio of the second to the first singular value of a set of points, at or below which the points count as lying on a
-/// line.
+/// Ratio of the second to the first singular value of points, up to which they count as lying on a line.
 const FLAT: f64 = 0.05;
 
 pub(super) struct Shape {
-    /// Positions of the markers on the body relative to their mean, m, in body-fixed axes whose orientation on the body
-    /// is arbitrary; the poses rotate these axes to those of the room.
+    /// Positions of the markers relative to their mean, m, in body-fixed axes of arbitrary orientation.
     pub points: Vec<Vector3<f64>>,
-    /// Covariance of the coordinates of all marker positions on the body (field `points`), m². The three coordinates of
-    /// a marker are consecutive; the rank is 3 × number of markers − 6.
+    /// Covariance of the coordinates of `points`, m², marker by marker; its rank is 3 × number of markers − 6.
     pub covariance: DMatrix<f64>,
     /// Estimated standard deviation of one coordinate of a measured marker position, m.
     pub sigma: f64,
@@ -55,7 +48,7 @@ type Row = Vec<Option<Vector3<f64>>>;
 pub(super) fn shape(labels: &[String], flights: &[FreeFlight<'_>]) -> Result<Shape, TemplateError> {
     if labels.len() < 3 {
         let labels = labels.to_vec();
-        return Err(TemplateError::FewPoints { labels });
+        return Err(TemplateError::FewPoints(labels));
     }
     let rows: Vec<Vec<Row>> = flights.iter().map(rows).collect();
     let all = || rows.iter().flatten();
@@ -155,7 +148,7 @@ fn first_shape<'r>(
         let next = (0..count).filter(|&k| known[k].is_none()).find_map(place);
         let Some((k, point)) = next else {
             let label = labels[lacking].clone();
-            return Err(TemplateError::Unplaced { label });
+            return Err(TemplateError::Unplaced(label));
         };
         known[k] = Some(point);
     }
@@ -202,8 +195,7 @@ fn pose(points: &[Vector3<f64>], row: &Row, used: Vec<bool>, sample: usize) -> O
 }
 
 impl Placed {
-    /// Degrees of freedom of the residuals of the pose: number of used coordinates minus number of fitted pose
-    /// parameters.
+    /// Degrees of freedom of the residuals: number of used coordinates less that of fitted pose parameters.
     fn freedom(&self) -> f64 {
         3.0 * self.used.iter().filter(|used| **used).count() as f64 - 6.0
     }
@@ -214,10 +206,9 @@ impl Placed {
     }
 }
 
-/// Computes the pose of the body in each sample of a flight; `rows` are the measured marker positions, one row per
-/// sample, and `sigma` is the standard deviation of a coordinate, m. While the residuals of a sample are too large, the
-/// marker whose removal reduces them most is removed from this sample. A sample whose remaining markers do not fix the
-/// pose is left out.
+/// Poses of the body in the samples `rows` of a flight; `sigma` is the standard deviation of a coordinate, m. While the
+/// residuals of a sample are too large, the marker whose removal reduces them most is removed from it. A sample whose
+/// remaining markers do not fix the pose is left out.
 fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     let place = |(sample, row): (usize, &Row)| {
         let all: Vec<bool> = row.iter().map(Option::is_some).collect();
@@ -235,8 +226,7 @@ fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     rows.iter().enumerate().filter_map(place).collect()
 }
 
-/// Recomputes each pose in `poses` for the marker positions `points` on the body, from the same markers. Poses that
-/// cannot be computed are left out.
+/// Recomputes each pose for the marker positions `points` from the same markers; those that fail are left out.
 fn replaced(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],
@@ -251,8 +241,7 @@ fn replaced(
     each.collect()
 }
 
-/// Robust standard deviation of a measured coordinate, m, from the median over the samples of the squared residuals of
-/// the poses.
+/// Robust standard deviation of a coordinate, m, from the median of the squared residuals of the poses.
 fn robust_sigma(poses: &[Vec<Placed>]) -> f64 {
     let each = poses.iter().flatten().map(|pose| {
         // Median of χ² over its degrees of freedom, by Wilson and Hilferty.
@@ -268,8 +257,7 @@ fn pooled_sigma(poses: &[Vec<Placed>], points: usize) -> f64 {
     (squares / (freedom - (3.0 * points as f64 - 6.0)).max(1.0)).sqrt()
 }
 
-/// Mean, or median if `by_median`, of each marker's position over the samples, m, in the body-fixed axes that the poses
-/// define. The result is shifted so that the mean of all markers is 0.
+/// Mean, or median if `by_median`, of each marker's position in the axes of the poses, m, shifted to a mean of 0.
 fn means(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],

@@ -7,8 +7,7 @@ pub(super) struct Smooth {
     roots: Vec<f64>,
     /// Orthonormal basis of the weighted polynomials, whose values are multiplied by the square roots of the weights.
     basis: DMatrix<f64>,
-    /// Matrix that converts the coefficients of a polynomial in the columns of `basis` to its coefficients in the
-    /// Legendre polynomials.
+    /// Matrix from coefficients of the columns of `basis` to those of the Legendre polynomials.
     coefficients: DMatrix<f64>,
     /// First and second derivatives of the Legendre polynomials with respect to time, 1/s and 1/s².
     derivatives: [DMatrix<f64>; 2],
@@ -17,8 +16,7 @@ pub(super) struct Smooth {
 }
 
 impl Smooth {
-    /// Prepares fits of polynomials up to a degree for sample times (s) and weights; `None` unless there are more
-    /// samples than coefficients.
+    /// Fits of polynomials up to a degree at times (s) with weights; `None` without more samples than coefficients.
     pub fn new(times: &[f64], weights: &[f64], degree: usize) -> Option<Self> {
         let (count, columns) = (times.len(), degree + 1);
         if count <= columns {
@@ -54,16 +52,14 @@ impl Smooth {
         })
     }
 
-    /// Residuals of signals (one column each) after subtraction of the polynomials fitted to them; the residual of each
-    /// sample is multiplied by the square root of its weight.
+    /// Residuals of signals (one column each) from their polynomials, times the square roots of the weights.
     pub fn rest(&self, signals: &DMatrix<f64>) -> DMatrix<f64> {
         let weighted = self.weighted(signals);
         let fitted = &self.basis * (self.basis.transpose() * &weighted);
         weighted - fitted
     }
 
-    /// Polynomials fitted to signals (one column each): their values and their first and second derivatives with
-    /// respect to time, at the samples.
+    /// Polynomials fitted to signals (one column each), with first and second derivatives in time, at the samples.
     pub fn fitted(&self, signals: &DMatrix<f64>) -> [DMatrix<f64>; 3] {
         let of_basis = self.basis.transpose() * self.weighted(signals);
         let coefficients = &self.coefficients * of_basis;
@@ -71,8 +67,7 @@ impl Smooth {
         [&self.values, first, second].map(|each| each * &coefficients)
     }
 
-    /// Fraction of the variance of white noise at sample `i` that remains in the residual after a polynomial has been
-    /// fitted.
+    /// Fraction of the variance of white noise at sample `i` that remains in the residual of a fit.
     pub fn left(&self, i: usize) -> f64 {
         1.0 - self.basis.row(i).norm_squared()
     }

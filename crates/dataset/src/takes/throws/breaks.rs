@@ -10,19 +10,15 @@ use super::cut::{CUBIC, Fit, FlightEnd, HINGES, JUMPS};
 use super::path::REACH;
 use super::windows::{SLOW, allowed};
 
-/// Number of standard errors by which a fitted jump of the velocity or a fitted acceleration must exceed its bound,
-/// such as [`TOUCH`] or [`IMPACT`], for the flight to end there.
+/// Standard errors by which a fitted jump or acceleration must exceed its bound, as [`TOUCH`], for the flight to end.
 const CERTAIN: f64 = 4.5;
 /// Minimum jump of the velocity at an impact, m/s; air changes the velocity by less within a sample or two.
 const IMPACT: f64 = 1.0;
-/// Minimum upward jump of the velocity at the ground, m/s. It is small because a body that touches the ground with its
-/// edge begins to turn more than to rise.
+/// Minimum upward jump of the velocity at the ground, m/s; small, as a body on its edge turns more than it rises.
 const TOUCH: f64 = 0.2;
-/// Height above the lowest level of the trajectory, m, below which an upward jump of the velocity means that the ground
-/// supports the body.
+/// Height above the lowest level, m, below which an upward jump of the velocity is a support by the ground.
 const LOW: f64 = 0.05;
-/// Minimum upward jump of the velocity, m/s, that counts as support by the ground at heights below `LOW`. The jump must
-/// exceed this bound by `LIKELY` standard errors.
+/// Minimum upward jump, m/s, that counts as support below `LOW`, to be exceeded by `LIKELY` standard errors.
 const SLIGHT: f64 = 0.1;
 const LIKELY: f64 = 2.0;
 
@@ -61,8 +57,7 @@ impl FlightEnd<'_> {
         self.path.points[self.last].z - self.path.lowest
     }
 
-    /// Whether a falling body is pushed upwards by the `jump` of its velocity (m/s) at a height at which it may touch
-    /// the ground.
+    /// Whether the `jump` of the velocity (m/s) pushes a falling body upwards where it may touch the ground.
     fn is_touch(&self, motion: &Fit, jump: Vector3<f64>) -> bool {
         motion.coefficient(1).z < 0.0 && jump.z > 0.5 * jump.norm() && self.height() < REACH
     }
@@ -86,9 +81,8 @@ impl FlightEnd<'_> {
 }
 
 impl Fit {
-    /// Jump of the velocity, m/s, and its standard error on one axis, m/s; `None` if the fitted velocity does not jump.
-    /// The velocity is the derivative with respect to the time counted outwards from the flight; at the beginning of a
-    /// flight this time runs backwards.
+    /// Jump of the velocity and its standard error on one axis, m/s; `None` without one. The velocity is the derivative
+    /// by the time outwards from the flight, which at its beginning runs backwards.
     fn velocity_jump(&self) -> Option<(Vector3<f64>, f64)> {
         let error = || self.covariance[(CUBIC, CUBIC)].max(0.0).sqrt();
         (self.hinge.first() == Some(&1)).then(|| (self.coefficient(CUBIC), error()))

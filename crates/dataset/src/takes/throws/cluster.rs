@@ -3,20 +3,16 @@
 use crate::pose::distance;
 use crate::takes::take::Take;
 
-/// Approximate number of samples, equally spaced over the recording, in which the distance between two points is
-/// compared to decide whether both belong to one rigid body.
+/// Number of samples, equally spaced, in which the distance of two points is compared for a rigid body, about.
 const COMPARED: usize = 300;
-/// Maximum difference between the 90 % and the 10 % quantile, over the samples, of the distance between two points for
-/// them to belong to one rigid body, m.
+/// Maximum difference between the 90 % and the 10 % quantile of the distance of two points of a rigid body, m.
 const RIGID: f64 = 0.012;
 /// Speed that a point must reach to belong to a thrown body, m/s.
 const FAST: f64 = 2.0;
-/// Minimum number of compared samples in which two points are both seen for the two points to count as parts of one
-/// rigid body.
+/// Minimum compared samples in which two points are both seen for them to be of one rigid body.
 const COMMON: usize = 5;
 
-/// Indices, in increasing order, of the largest set of moving points of a recording whose mutual distances are
-/// constant.
+/// Indices, increasing, of the largest set of moving points whose mutual distances are constant.
 pub(super) fn rigid_points(take: &Take) -> Vec<usize> {
     let stride = (take.times.len() / COMPARED).max(1);
     let count = take.points.len();
@@ -38,8 +34,7 @@ pub(super) fn rigid_points(take: &Take) -> Vec<usize> {
     best
 }
 
-/// Whether the speed of a point of a recording ever exceeds [`FAST`]; the speed is computed from the displacement over
-/// 5 sampling intervals.
+/// Whether the speed of a point, over 5 sampling intervals, ever exceeds [`FAST`].
 fn moves(take: &Take, point: usize) -> bool {
     let positions = &take.points[point].positions;
     let apart = 5.min(positions.len().saturating_sub(1)).max(1);

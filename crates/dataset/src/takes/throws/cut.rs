@@ -7,17 +7,14 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use super::path::Path;
 use super::windows::half;
 
-/// Samples outside the flight that are included in the fit of a change of motion at its beginning or end: time span
-/// that they cover, s, and their minimum number.
+/// Samples outside the flight in the fit of a change at its beginning or end: their time span, s, and minimum number.
 const BEYOND: (f64, usize) = (0.03, 4);
 /// Number of instants per sampling interval that are tried as the time of a change of motion.
 const CANDIDATES: usize = 4;
-/// Number of samples next to a change of motion that are excluded from the flight, since the time of the change is
-/// accurate to only about one sampling interval.
+/// Samples next to a change of motion that are left out, as its time is accurate to about one sampling interval.
 const MARGIN: usize = 1;
-/// Exponents of the hinge terms that are tried for a change of motion. A hinge term is a power of the time from the
-/// change outwards, and 0 inside the flight: the exponent 1 represents a jump of the velocity, 2 a jump of the
-/// acceleration, and 3 a jump of its derivative.
+/// Exponents of the hinge terms tried for a change of motion, powers of the time from the change outwards, 0 inside the
+/// flight: 1 is a jump of the velocity, 2 of the acceleration, and 3 of its derivative.
 pub(super) const HINGES: [&[i32]; 4] = [&[2], &[2, 3], &[1], &[1, 2]];
 /// Exponents that are tried for a touch of the ground: a jump of the velocity, alone or with one of the acceleration.
 pub(super) const JUMPS: [&[i32]; 2] = [&[1], &[1, 2]];
@@ -39,14 +36,12 @@ pub(super) struct Change {
     pub acceleration: Vector3<f64>,
 }
 
-/// Least-squares fit to the samples around a change of motion at an assumed time: on each axis a cubic in time plus
-/// hinge terms, which are powers of the time outside the flight and 0 inside.
+/// Least-squares fit to the samples around a change at an assumed time: on each axis a cubic in time plus hinge terms.
 pub(super) struct Fit {
     pub time: f64,
     /// Bayesian information criterion of the fit; smaller is better.
     pub criterion: f64,
-    /// Coefficients, one column per axis: rows 0 to 3 for the powers 0 to 3 of the time since the field `time`, then
-    /// one row per exponent in the field `hinge`.
+    /// Coefficients, one column per axis: of the powers 0 to 3 of the time since `time`, then of those in `hinge`.
     coefficients: DMatrix<f64>,
     /// Covariance matrix of the coefficients of one axis; it is the same for each axis.
     pub covariance: DMatrix<f64>,
@@ -104,8 +99,7 @@ impl<'p> FlightEnd<'p> {
         }
     }
 
-    /// Best fit of a change of motion over several times of the change and the sets of exponents `hinges`, by the
-    /// Bayesian information criterion; `None` if no fit is possible.
+    /// Best fit over several times of the change and the exponents `hinges`, by the Bayesian information criterion.
     pub fn best(&self, hinges: &[&'static [i32]]) -> Option<Fit> {
         let times = &self.path.track.times;
         let intervals = self.near.start..self.near.end.saturating_sub(1);
@@ -148,8 +142,7 @@ impl<'p> FlightEnd<'p> {
         })
     }
 
-    /// Fits to the samples, on each axis, a cubic in the time since `time`, plus hinge terms with the exponents
-    /// `hinge`. `None` if there are too few samples or the equations are singular.
+    /// Fits a cubic in the time since `time` plus the hinge terms `hinge`; `None` if that is not determined.
     fn fit(&self, time: f64, hinge: &'static [i32]) -> Option<Fit> {
         flight::cancellation::stop_if_cancelled();
         let rows = self.samples.len();
@@ -194,8 +187,7 @@ impl<'p> FlightEnd<'p> {
     }
 }
 
-/// Reason why a flight was not followed further in time. All indices refer to the track; if the flight is followed
-/// backwards in time, "after" means earlier.
+/// Why a flight was not followed further. Indices are those of the track; followed backwards, "after" means earlier.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Stop {
     Data,
@@ -215,9 +207,8 @@ pub(super) enum Stop {
 }
 
 impl Path<'_> {
-    /// Change of motion at the beginning (if `early`) or at the end of a free flight; `stop` is the reason why the
-    /// flight was not followed further. A change is fitted only if that is a deviation or a touch of the ground;
-    /// otherwise it is placed at the last followed sample.
+    /// Change of motion at the beginning (if `early`) or end of a flight that was not followed further because of
+    /// `stop`: fitted after a deviation or a touch of the ground, otherwise at the last followed sample.
     pub fn change(&self, stop: &Stop, early: bool) -> Change {
         let (last, hinges) = match stop {
             Stop::Data => (if early { 0 } else { self.points.len() - 1 }, None),

@@ -8,18 +8,15 @@ use super::windows::half;
 use super::{FINEST, ThrowOptions};
 use crate::statistics::robust_sigma;
 
-/// Difference between a measured position and its prediction, in standard deviations, above which the sample counts as
-/// deviating.
+/// Difference of a position from its prediction, in standard deviations, above which the sample deviates.
 const STRANGE: f64 = 4.5;
-/// Number of consecutive samples that must all deviate from their prediction before it is examined whether the flight
-/// ends there.
+/// Consecutive deviating samples after which it is examined whether the flight ends there.
 const CONSECUTIVE: usize = 2;
 /// Rate of change of the acceleration in free flight, m/s³, that is tolerated in a prediction by a quadratic in time.
 const JERK: f64 = 60.0;
 
 impl Path<'_> {
-    /// Follows a flight backwards and forwards from the middle of `run`, a range of samples in free flight. Returns the
-    /// reasons why the flight was not followed further at its beginning and at its end.
+    /// Follows a flight backwards and forwards from the middle of `run`; returns why it ended on either side.
     pub fn follow(&self, run: &Range<usize>, options: &ThrowOptions) -> (Stop, Stop) {
         let noise = self.noise(run);
         let middle = (run.start + run.end) / 2;

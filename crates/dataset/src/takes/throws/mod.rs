@@ -54,8 +54,7 @@ impl Default for ThrowOptions {
 /// Cause of the beginning or the end of a throw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause {
-    /// The hand releases the body. The value is the magnitude of the jump of the acceleration at the release, m/s²; it
-    /// is 0 if the change was fitted as a jump of the velocity.
+    /// The hand releases the body, with this jump of the acceleration, m/s²; 0 if the velocity was fitted to jump.
     Hand(f64),
     /// The body hits the ground: its vertical velocity jumps upwards by this amount, m/s.
     Ground(f64),
@@ -63,8 +62,7 @@ pub enum Cause {
     Stopped(f64),
     /// The body hits an obstacle: its velocity jumps by this amount, m/s, against the direction of flight.
     Struck(f64),
-    /// The velocity or the acceleration changes in a way that fits none of the causes `Hand`, `Ground`, `Stopped` and
-    /// `Struck`.
+    /// The velocity or the acceleration changes in a way that fits none of the other causes.
     Disturbed,
     /// The body is not seen for a while; the value is the time between the samples before and after this gap, s.
     Gap(f64),
@@ -114,9 +112,8 @@ pub struct Throws {
     pub notes: Vec<String>,
 }
 
-/// Finds the throws in a recording whose z axis points up. The moving body is given by the points or the body named in
-/// `labels`; if `labels` is empty, it is the first tracked body or, without one, the largest set of points that move as
-/// one.
+/// Finds the throws in a recording with z up. The moving body is that of the points or the body named in `labels`;
+/// without any, the first tracked body or else the largest set of points that move as one.
 pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Throws {
     let mut found = Throws::default();
     let Some(track) = Track::new(take, labels, &mut found.notes) else {
@@ -145,8 +142,7 @@ pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Thro
     found
 }
 
-/// Ranges of at least 3 consecutive samples in free flight according to the local quadratic fits `windows`, as indices
-/// in the track.
+/// Ranges, in the track, of at least 3 consecutive samples in free flight by the local quadratic fits `windows`.
 fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Vec<Range<usize>> {
     let noise = windows::noise(windows);
     let mut runs: Vec<Range<usize>> = Vec::new();

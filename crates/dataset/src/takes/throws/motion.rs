@@ -5,27 +5,23 @@ use nalgebra::Vector3;
 use super::track::Track;
 use crate::takes::take::Take;
 
-/// Maximum time between two samples, in sampling intervals, for the speed and the rate of rotation between them to be
-/// computed; a longer time counts as a gap.
+/// Maximum time between two samples, in sampling intervals, for the speed between them; a longer one is a gap.
 const GAP: f64 = 1.5;
 
 /// Time series of the motion of a body in a recording; values are not finite where the body is not seen.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// Times, s: those of the samples in which the body is seen, and the middle of each gap between them, at which the
-    /// other values are NaN.
+    /// Times, s: of the samples that show the body, and the middle of each gap, where the other values are NaN.
     pub times: Vec<f64>,
     /// Height (z coordinate in the recording) of the centroid of the tracked points at each of `times`, m.
     pub heights: Vec<f64>,
     /// Speed of the centroid of the tracked points at each of `times`, m/s.
     pub speeds: Vec<f64>,
-    /// Rate of rotation of the body, rad/s, from the angle between consecutive attitudes; `None` if the attitude is not
-    /// computed. A rate above π per sampling interval is aliased to a lower one.
+    /// Rate of rotation, rad/s, from consecutive attitudes; `None` without these. Above π per interval it is aliased.
     pub rotation: Option<Vec<f64>>,
 }
 
-/// Computes the time series of the motion of the points or bodies named in `labels` in a recording with z up; `None` if
-/// fewer than two samples show all of them together.
+/// Motion of the points or bodies named in `labels`, with z up; `None` if fewer than two samples show all of them.
 pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
     let track = Track::new(take, labels, &mut Vec::new())?;
     let (mut motion, mut rates) = (Motion::default(), Vec::new());

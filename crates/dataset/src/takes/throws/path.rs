@@ -4,8 +4,7 @@ use nalgebra::{Cholesky, Const, Matrix3, Vector3};
 
 use super::track::Track;
 
-/// Maximum height above the lowest level of a trajectory at which the body may touch the ground, m: the extent of a
-/// thrown body below its centre.
+/// Maximum height above the lowest level at which the body may touch the ground, m: its extent below its centre.
 pub(super) const REACH: f64 = 0.15;
 const APART: f64 = 0.5;
 /// Number of lowest samples that are ignored as possible false (ghost) points when the lowest level is determined.
@@ -15,8 +14,7 @@ pub(super) struct Path<'t> {
     pub track: &'t Track,
     pub points: Vec<Vector3<f64>>,
     pub lowest: f64,
-    /// Whether that level is the ground, because the body comes down to it more than once. A single low point may be
-    /// where a flight turns upwards.
+    /// Whether that level is the ground, since the body comes down to it more than once.
     pub is_ground: bool,
 }
 
@@ -43,9 +41,8 @@ impl<'t> Path<'t> {
         }
     }
 
-    /// Fits a quadratic in (t − `t0`) / `scale` on each axis to the samples with the given indices. Returns the
-    /// coefficients (m), one row per power and one column per axis, and the Cholesky factor of the normal matrix;
-    /// `None` if there are too few samples.
+    /// Fits a quadratic in (t − `t0`) / `scale` on each axis to samples. Returns the coefficients (m), one row per
+    /// power and one column per axis, and the Cholesky factor; `None` for too few samples.
     pub fn quadratic(
         &self,
         samples: impl IntoIterator<Item = usize>,

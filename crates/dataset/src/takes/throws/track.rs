@@ -9,8 +9,7 @@ use crate::takes::{Take, listed};
 
 /// Minimum number of points that move as one body for the attitude of the body to be computed.
 const ATTITUDE: usize = 3;
-/// Minimum extent, across their longest direction, of points that move as one body for the attitude of the body to be
-/// computed, m.
+/// Minimum extent, across their longest direction, of points for the attitude of the body to be computed, m.
 const EXTENT: f64 = 0.01;
 
 /// Motion of the tracked points or of the tracked body in a recording, over the samples in which it is seen.
@@ -27,9 +26,8 @@ pub(super) struct Track {
 }
 
 impl Track {
-    /// Selects the points or the body named in `labels`; if `labels` is empty, the first tracked body or, without one,
-    /// the largest set of points that move as one. Returns `None` and adds a note if the points or the body are seen in
-    /// fewer than two samples.
+    /// Selects the points or the body named in `labels`; without any, the first tracked body or else the largest set of
+    /// points that move as one. `None` and a note if they are seen in fewer than two samples.
     pub fn new(take: &Take, labels: &[&str], notes: &mut Vec<String>) -> Option<Self> {
         let is_named = |label: &str| labels.is_empty() || labels.contains(&label);
         let named: Vec<usize> = (0..take.points.len())
@@ -101,8 +99,7 @@ impl Track {
         !self.rotations.is_empty()
     }
 
-    /// Rotation from the body-fixed axes to the axes of the room at an index of the track; a zero matrix if the
-    /// attitude is not computed.
+    /// Rotation from the body-fixed axes to those of the room; a zero matrix if the attitude is not computed.
     pub fn rotation(&self, i: usize) -> Matrix3<f64> {
         self.rotations.get(i).copied().unwrap_or_default()
     }
@@ -114,8 +111,7 @@ pub(crate) fn centred(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
     points.into_iter().map(|point| point - mean).collect()
 }
 
-/// Squares of the extents of a centred set of points along its principal axes, summed over the points, in increasing
-/// order.
+/// Squares of the extents of a centred set of points along its principal axes, summed, in increasing order.
 pub(crate) fn moments(points: &[Vector3<f64>]) -> [f64; 3] {
     let moments: Matrix3<f64> = points.iter().map(|p| p * p.transpose()).sum();
     let mut values: [f64; 3] = moments.symmetric_eigenvalues().into();
@@ -147,8 +143,7 @@ fn refined(
     centred(means.collect())
 }
 
-/// Least-squares rigid motion that maps the points `template` to the measured points `seen`: the position of the origin
-/// of `template`, and the rotation. `None` if fewer than 3 points are seen.
+/// Least-squares rigid motion from `template` to `seen`: position and rotation; `None` for under 3 points.
 pub(crate) fn fitted(
     template: &[Vector3<f64>],
     seen: &[Option<Vector3<f64>>],

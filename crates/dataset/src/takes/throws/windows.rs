@@ -17,17 +17,13 @@ pub(super) const SLOW: f64 = 1.0;
 /// Constants a and b of the maximum aerodynamic acceleration a + b V² of a body in free flight at the speed V: a in
 /// m/s², b in 1/m. For comparison, a shuttlecock, with a terminal speed of 6.8 m/s, has b = 0.21 1/m.
 const AERODYNAMIC: (f64, f64) = (3.0, 0.3);
-/// Maximum aerodynamic acceleration of a body in free flight along its velocity, m/s²: still air does not accelerate a
-/// body forwards, but wind may do so slightly.
+/// Maximum aerodynamic acceleration along the velocity, m/s²: wind may accelerate a body forwards, but slightly.
 const PUSH: f64 = 2.5;
-/// Maximum ratio of the standard deviation of the residuals of a local quadratic fit to that of a measured position,
-/// for the motion to count as smooth.
+/// Maximum ratio of a local fit's residuals to the deviation of a measured position for the motion to be smooth.
 const SMOOTH: f64 = 2.5;
-/// Prior standard deviation of each coordinate of [`Window::offset`] (position of the body point that moves smoothly,
-/// relative to the centroid of the tracked points), m.
+/// Prior standard deviation of each coordinate of [`Window::offset`], m.
 const OFFSET: f64 = 0.1;
-/// Standard deviation of a measured position, m, that is assumed for the weight of the prior on [`Window::offset`]
-/// (position of the body point that moves smoothly).
+/// Standard deviation of a measured position, m, assumed for the weight of that prior.
 const TYPICAL: f64 = 1e-3;
 
 /// Quadratic in time fitted to the motion of a body in the samples around one sample.
@@ -45,8 +41,7 @@ pub(super) struct Window {
 }
 
 impl Window {
-    /// Whether the motion of the body around the central sample is free flight; `noise` is the standard deviation of a
-    /// measured position, m.
+    /// Whether the motion around the central sample is free flight; `noise` is the deviation of a position, m.
     pub fn is_free(&self, noise: f64) -> bool {
         let air = self.acceleration + Vector3::z() * GRAVITY;
         let slack = 3.0 * noise * self.spread;
@@ -128,8 +123,7 @@ fn window(track: &Track, i: usize, half: usize) -> Option<Window> {
     })
 }
 
-/// Estimates the standard deviation of a measured position, m, as the lower tercile of the residuals of local quadratic
-/// fits: fits in free flight or at rest have the smallest residuals.
+/// Standard deviation of a position, m: lower tercile of the local fits' residuals, least in flight or at rest.
 pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     let mut residuals: Vec<f64> = windows.iter().flatten().map(|w| w.residual).collect();
     residuals.sort_by(f64::total_cmp);

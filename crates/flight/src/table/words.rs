@@ -14,8 +14,7 @@ pub fn shown(text: &str) -> String {
     format!("{start:?}…")
 }
 
-/// Joins names by commas for a message; a long list is shortened to its first names and the number of the remaining
-/// ones.
+/// Joins names by commas for a message; a long list is its first names and the number of the others.
 pub fn listed<S: AsRef<str>>(names: impl IntoIterator<Item = S>) -> String {
     let mut names = names.into_iter();
     let first: Vec<S> = names.by_ref().take(MAX_NAMES).collect();

@@ -7,8 +7,7 @@ pub(super) struct CellLocations<'a> {
 }
 
 impl CellLocations<'_> {
-    /// Byte offset of the first record of the table at or after the byte offset `from`; empty lines and comments are
-    /// skipped.
+    /// Byte offset of the first record at or after the byte offset `from`; empty lines and comments are skipped.
     pub fn record(&self, from: usize) -> usize {
         let mut start = from.min(self.text.len());
         loop {
@@ -23,8 +22,7 @@ impl CellLocations<'_> {
         }
     }
 
-    /// Line and column, from 1, of the cell with the index `index` (from 0) in the first table record at or after the
-    /// byte offset `from`.
+    /// Line and column, from 1, of the cell `index` (from 0) in the first record at or after the byte offset `from`.
     pub fn cell(&self, from: usize, index: usize) -> (usize, usize) {
         let start = self.record(from);
         let (mut line, mut column) = end_location(&self.text[..start]);

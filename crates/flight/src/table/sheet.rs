@@ -4,12 +4,12 @@ use std::cell::Cell;
 
 use csv::{Reader, ReaderBuilder, StringRecord};
 
-use crate::place::CellLocations;
-use crate::takes::{Fault, Location, number, shown};
+use super::place::CellLocations;
+use super::{Fault, Location, number, shown};
 
 /// Cell separator of a table, by the first of its lines that is neither blank nor a comment: the first of tab, semicolon,
 /// comma and space that this line contains outside quotes, or the comma. Spaces in a row are one separator.
-pub(crate) fn separator(text: &str) -> char {
+pub fn separator(text: &str) -> char {
     let header = text
         .split(['\n', '\r'])
         .map(str::trim)
@@ -24,7 +24,8 @@ pub(crate) fn separator(text: &str) -> char {
     marks.find(|&mark| bare.contains(mark)).unwrap_or(',')
 }
 
-pub(crate) struct Sheet<'t> {
+/// Reader of a table row by row.
+pub struct Sheet<'t> {
     reader: Reader<&'t [u8]>,
     record: StringRecord,
     locations: CellLocations<'t>,
@@ -36,6 +37,7 @@ pub(crate) struct Sheet<'t> {
 }
 
 impl<'t> Sheet<'t> {
+    /// Reader of a table, a row of which may be cut at its end.
     pub fn new(text: &'t str, separator: char) -> Self {
         Self::with(text, separator, false)
     }
@@ -64,8 +66,7 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Advances to the next row of the table that is neither a comment nor empty; returns false at the end of the
-    /// table.
+    /// Advances to the next row that is neither a comment nor empty; false at the end of the table.
     pub fn advance(&mut self) -> Result<bool, Fault> {
         while self.advance_line()? {
             if self.filled() > 0 {
@@ -83,8 +84,7 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Advances to the next row that is neither a comment nor a blank line; its cells may all be empty. Returns false
-    /// at the end of the table.
+    /// Advances to the next row that is neither a comment nor blank; its cells may be empty. False at the end.
     pub fn advance_line(&mut self) -> Result<bool, Fault> {
         loop {
             let read = self.reader.read_record(&mut self.record);
@@ -153,6 +153,7 @@ impl<'t> Sheet<'t> {
         self.locations.cell(self.locations.text.len(), 0)
     }
 
+    /// Cell separator of the table.
     pub fn separator(&self) -> char {
         self.locations.separator
     }
@@ -249,7 +250,11 @@ impl<'t> Sheet<'t> {
         found: impl Into<String>,
         expected: impl Into<String>,
     ) -> Fault {
-        Fault::new(Location::Cell(self.line, index + 1), found, expected)
+        let line = match self.is_strict {
+            true => self.place(index).0,
+            false => self.line,
+        };
+        Fault::new(Location::Cell(line, index + 1), found, expected)
     }
 
     /// Error whose location is the line of the current row.

@@ -1,10 +1,9 @@
-//! Numbers from outside: a table cell as a number, and the bounds of a frame rate.
+//! Numbers from outside: a table cell as a number.
 
 /// Words of other programs for a missing value, besides NaN; in any case.
 const MISSING: [&str; 4] = ["NA", "N/A", "#N/A", "null"];
 
-/// Parses a table cell as a finite number. Returns `None` for an empty cell, NaN or a word for a missing value, and for
-/// any other text an error message that states what was expected.
+/// Parses a cell as a finite number, or `None` if a word or nothing stands for it; the error is what was expected.
 pub fn number(cell: &str) -> Result<Option<f64>, &'static str> {
     const EXPECTED: &str = "a finite number, or nothing for a dropout";
     if cell.is_empty() {
@@ -33,19 +32,6 @@ fn hint(cell: &str) -> Option<&'static str> {
     } else {
         None
     }
-}
-
-/// Maximum frame rate of a recording, Hz; a greater one is an error.
-const MAX_RATE: f64 = 1e6;
-
-/// Checks that a frame rate (Hz) is positive and at most [`MAX_RATE`]; the error contains the texts of what was found
-/// and what was expected.
-pub(crate) fn checked_rate(rate: f64) -> Result<f64, (String, String)> {
-    if rate > 0.0 && rate <= MAX_RATE {
-        return Ok(rate);
-    }
-    let expected = format!("frames per second above 0, at most {MAX_RATE}");
-    Err((format!("the rate {rate}"), expected))
 }
 
 #[cfg(test)]
