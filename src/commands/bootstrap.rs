@@ -90,6 +90,9 @@ pub struct Parts<'a> {
 }
 
 /// Refits a share, kept in the folder; without a share, joins all and returns their summary, or an earlier one.
+///
+/// # Errors
+/// If the folder belongs to other work or cannot be written, or a fit fails.
 pub fn in_parts(
     asked: &Parts<'_>,
     fit: impl FnOnce() -> anyhow::Result<Fit>,
@@ -124,6 +127,9 @@ pub fn in_parts(
 }
 
 /// Refuses a fit to too few flights, fewer than five.
+///
+/// # Errors
+/// If there are too few.
 pub fn enough(fit: &Fit) -> anyhow::Result<()> {
     let fitted = flights(fit);
     ensure!(
@@ -185,6 +191,9 @@ fn part(
 }
 
 /// The refits with the given numbers; `progress` is called with the number finished since its last call.
+///
+/// # Errors
+/// If a refit fails for another reason than that it does not converge.
 pub fn refits(
     fit: &Fit,
     seed: u64,

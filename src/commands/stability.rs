@@ -79,6 +79,9 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
 }
 
 /// Modes and criteria at a release, along its flight and in steady flight; and why there are none along the flight.
+///
+/// # Errors
+/// If the motion cannot be linearised.
 pub fn found(
     body: &Body,
     release: &Release,

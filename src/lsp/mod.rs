@@ -32,6 +32,9 @@ const NOT_INITIALIZED: i32 = -32002;
 const REQUEST_FAILED: i32 = -32803;
 
 /// Serves one client until it says `exit` or its messages end; returns whether it said `shutdown` before.
+///
+/// # Errors
+/// If a message cannot be read or written.
 pub fn serve(input: impl Read, output: &mut impl Write) -> io::Result<bool> {
     let mut input = BufReader::new(input);
     let mut server = Server::default();

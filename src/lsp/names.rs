@@ -75,6 +75,9 @@ pub fn renamed_range(document: &Document, position: &Value) -> Value {
 }
 
 /// Result of `textDocument/rename`.
+///
+/// # Errors
+/// Why the name cannot be changed so.
 pub fn rename(document: &Document, position: &Value, name: &str) -> Result<Value, String> {
     let offset = document.lines.offset(&document.text, position);
     let symbols = &document.known().symbols;

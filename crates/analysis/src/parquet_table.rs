@@ -34,6 +34,9 @@ impl Cells {
 }
 
 /// Bytes of a Parquet file with named columns of equal length, each with empty cells or without.
+///
+/// # Errors
+/// If the columns cannot be a table: two names alike, or lengths that differ.
 pub fn parquet_table(columns: &[(String, Cells)]) -> Result<Vec<u8>, ParquetError> {
     let field = |(name, cells): &(String, Cells)| {
         let (kind, logical) = match cells {

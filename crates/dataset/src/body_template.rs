@@ -20,6 +20,9 @@ pub struct BodyTemplate {
 
 impl BodyTemplate {
     /// Reads a template file: a `dataset.toml`, or only its `[[markers]]` with optional `[parameters]` and `model`.
+    ///
+    /// # Errors
+    /// [`InputError`] for the first fault of the file, or if it declares no marker or one without a position.
     pub fn read(path: &Path) -> Result<BodyTemplate, InputError> {
         let bytes = file::bytes(path, MAX_BYTES, "a TOML file with [[markers]]")?;
         let text = file::text(path, &bytes)?;

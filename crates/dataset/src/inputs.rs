@@ -64,6 +64,9 @@ impl InputColumns {
     }
 
     /// The inputs as functions of time.
+    ///
+    /// # Errors
+    /// [`InputError`] for a column of `file` without a value.
     pub fn series(
         self,
         file: &Path,

@@ -145,12 +145,18 @@ fn rows(file: &Path, text: &str) -> Result<Vec<(usize, Vec<String>)>, InputError
 }
 
 /// Reads the file of a launch monitor's export, as [`import_shots`].
+///
+/// # Errors
+/// As [`import_shots`]; or if the file cannot be read, is no ordinary file or too long.
 pub fn read_shots(file: &Path, options: &ShotOptions) -> Result<ImportedShots, InputError> {
     let bytes = crate::file::bytes(file, MAX_BYTES, "a table of shots")?;
     import_shots(file, &bytes, options)
 }
 
 /// Reads a launch monitor's export: a header, where there is one a row of units in brackets, and a row per shot.
+///
+/// # Errors
+/// [`InputError`] if no column is recognised, a unit is not stated, or the table is faulty.
 pub fn import_shots(
     file: &Path,
     bytes: &[u8],

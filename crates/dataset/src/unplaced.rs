@@ -10,6 +10,9 @@ use crate::pose::{fix_attitude, pose};
 use crate::statistics::median_vector;
 
 /// A marker with the position `"unknown"` in `dataset.toml`.
+///
+/// # Errors
+/// [`InputError`], located at the first marker concerned, if the flights do not determine the positions.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Unplaced {
     pub marker: usize,

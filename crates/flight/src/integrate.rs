@@ -6,6 +6,9 @@ use crate::{BoundModel, ModelState};
 
 impl BoundModel<'_> {
     /// Integrates the model from the time `start.0` (s) and the state `start.1`: [`ode::integrate`].
+    ///
+    /// # Errors
+    /// [`IntegrationError`] if the integration fails; those of the other methods are the same.
     pub fn integrate(
         &self,
         start: (f64, &ModelState),

@@ -21,6 +21,9 @@ pub struct Listed {
 }
 
 /// Effects that a diagnosis tests for `model`, or else all built-in ones with the built-in models to which they apply.
+///
+/// # Errors
+/// [`LoadError`] if the model cannot be loaded.
 pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     let names: Vec<&str> = match model {
         None => MODELS.iter().map(|(name, _)| *name).collect(),
@@ -71,6 +74,9 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
 }
 
 /// Names of the effects that a diagnosis does not test for a model, with the reasons.
+///
+/// # Errors
+/// [`LoadError`] if the model cannot be loaded.
 pub fn not_offered(model: &str) -> Result<Vec<(String, String)>, LoadError> {
     let known = known_effects(&load(model, &[])?).into_iter();
     let refused = known

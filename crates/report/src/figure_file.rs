@@ -54,6 +54,9 @@ impl FigureKind {
     }
 
     /// The format with this name, if the program can write it.
+    ///
+    /// # Errors
+    /// [`FigureError::NotBuilt`] without the feature `pictures`.
     pub fn available(self) -> Result<Self, FigureError> {
         match cfg!(feature = "pictures") {
             true => Ok(self),
@@ -62,12 +65,18 @@ impl FigureKind {
     }
 
     /// Renders a figure, given as SVG text, and returns the contents of the file.
+    ///
+    /// # Errors
+    /// [`FigureError`] if the SVG cannot be parsed or converted, or without the feature `pictures`.
     #[cfg(feature = "pictures")]
     pub fn draw(self, svg: &str) -> Result<Vec<u8>, FigureError> {
         render::draw(self, svg)
     }
 
     /// Renders a figure, given as SVG text, and returns the contents of the file.
+    ///
+    /// # Errors
+    /// [`FigureError::NotBuilt`], because the program was built without the feature `pictures`.
     #[cfg(not(feature = "pictures"))]
     pub fn draw(self, _svg: &str) -> Result<Vec<u8>, FigureError> {
         Err(FigureError::NotBuilt)

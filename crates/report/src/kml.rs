@@ -22,6 +22,9 @@ pub struct Origin {
 
 impl Origin {
     /// Reads `LAT,LON` or `LAT,LON,BEARING`, deg; without a bearing +x points to the east.
+    ///
+    /// # Errors
+    /// What was expected.
     pub fn parse(text: &str) -> Result<Origin, String> {
         let numbers = text.split(',').map(|part| part.trim().parse::<f64>());
         let numbers: Result<Vec<f64>, _> = numbers.collect();

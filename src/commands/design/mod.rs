@@ -85,6 +85,9 @@ pub struct Asked<'a> {
 }
 
 /// Designs a throw, and calls `then` with it and what flies it.
+///
+/// # Errors
+/// If an input is faulty, or no throw can be flown.
 pub fn designed<R>(
     asked: Asked<'_>,
     then: impl FnOnce(&Designed<'_>, &ThrowFlights<'_>) -> anyhow::Result<R>,
@@ -204,6 +207,9 @@ impl Designed<'_> {
     }
 
     /// Result files of `hyzer design`.
+    ///
+    /// # Errors
+    /// If the throw cannot be flown.
     pub fn files(&self, flights: &ThrowFlights<'_>) -> Result<Vec<ResultFile>, ThrowFlightError> {
         let (found, body) = (&self.found, flights.body);
         let settings = ode::IntegrationOptions::with_tolerance(1e-9);

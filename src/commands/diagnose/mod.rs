@@ -58,6 +58,9 @@ pub(super) fn run(options: &Diagnose) -> anyhow::Result<Answer> {
 }
 
 /// Diagnoses a model, and verifies its extension.
+///
+/// # Errors
+/// Those of [`diagnose_with`], or if the extended model is faulty.
 pub fn diagnosis(
     model: &Model,
     dataset: &Dataset,
@@ -102,6 +105,9 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
 }
 
 /// Result files of a diagnosis, whose report then names the file of the extended model.
+///
+/// # Errors
+/// If the report has no form in JSON, or the estimates cannot be written into the text of the extended model.
 pub fn files(found: &mut Diagnosis, dataset: &Dataset) -> anyhow::Result<Vec<ResultFile>> {
     if found.after.is_some() {
         found.report.extended_model = Some(EXTENDED.to_owned());

@@ -161,6 +161,9 @@ fn page<'a>(
 }
 
 /// Result files of a fit.
+///
+/// # Errors
+/// If the report has no form in JSON, or the estimates cannot be written into the text of the model.
 pub fn files(
     fitted: &identify::Fit,
     model: &Model,

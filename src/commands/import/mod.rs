@@ -34,6 +34,9 @@ struct Found {
 }
 
 /// Runs `hyzer import`.
+///
+/// # Errors
+/// If an option or a recording is faulty, or no throw is found.
 pub(super) fn run(options: &Import) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let made = imported(options)?;

@@ -9,6 +9,9 @@ use super::{DECISIONS, Imported};
 use crate::cli::Import;
 
 /// Reads a launch monitor's table.
+///
+/// # Errors
+/// If an option or the table is faulty.
 pub(super) fn imported(options: &Import) -> anyhow::Result<Imported> {
     let [file] = options.takes.as_slice() else {
         bail!(

@@ -38,6 +38,9 @@ pub struct Row {
 }
 
 /// Reads a table of throws of TechDisc.
+///
+/// # Errors
+/// If the file cannot be read or has faults; the first one is reported.
 pub fn read(path: &Path) -> anyhow::Result<Vec<Row>> {
     let file = path.display();
     let mut header: Option<Header> = None;
@@ -61,6 +64,9 @@ pub fn read(path: &Path) -> anyhow::Result<Vec<Row>> {
 }
 
 /// Selects a throw by its id or else by its number.
+///
+/// # Errors
+/// If there is no such throw, or if several throws have this id.
 pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
     let count = rows.iter().filter(|row| row.id == name).count();
     ensure!(

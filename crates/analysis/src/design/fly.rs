@@ -9,6 +9,10 @@ use crate::design::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
 impl ThrowFlights<'_> {
     /// Integrates the flight of a throw to the ground. `near` is the release state of a similar throw, or none.
+    ///
+    /// # Errors
+    /// [`ThrowFlightError`] if no state has the motion of the throw, or if the flight leaves the model's limits or
+    /// does not end.
     pub fn fly(
         &self,
         throw: &Throw,
@@ -27,6 +31,10 @@ impl ThrowFlights<'_> {
 
     /// Integrates the flight of a throw to the ground with the derivatives of its path with respect to the quantities
     /// `by`, exact up to the integration tolerance. `near` is the release state of a similar throw, or none.
+    ///
+    /// # Errors
+    /// [`ThrowFlightError`] if no state has the motion of the throw, or if the flight leaves the model's limits or
+    /// does not end.
     pub fn fly_with_derivatives(
         &self,
         throw: &Throw,

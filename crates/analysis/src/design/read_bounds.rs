@@ -16,6 +16,9 @@ const MAX_FILE_BYTES: u64 = 1 << 20;
 
 impl Bounds {
     /// Reads a bounds file (TOML), whose values replace those of [`Bounds::standard`].
+    ///
+    /// # Errors
+    /// [`ReleaseError`] with all faults of the file, or if it cannot be read.
     pub fn read_file(path: &Path, body: &ThrownBody) -> Result<Bounds, ReleaseError> {
         read_text(path, "a file of bounds", MAX_FILE_BYTES, |file, text| {
             Bounds::read(file, text, body)
@@ -23,6 +26,9 @@ impl Bounds {
     }
 
     /// Parses the text of a bounds file; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`ReleaseError`] with all faults of the file.
     pub fn read(file: &str, text: &str, body: &ThrownBody) -> Result<Bounds, ReleaseError> {
         let mut reader = BoundsReader(Reader::new(text));
         let bounds = reader.bounds(body);

@@ -34,6 +34,9 @@ pub struct OneUnit {
 }
 
 /// Influence of each quantity that the throw and the body have on the landing, in the order of [`FIELDS`].
+///
+/// # Errors
+/// [`ThrowFlightError`] if the throw cannot be flown.
 pub fn sensitivities(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

@@ -50,6 +50,10 @@ pub struct ThrownBody {
 
 impl ThrownBody {
     /// Compiles a model.
+    ///
+    /// # Errors
+    /// [`ThrowFlightError::Throw`] if the model has no body; [`ThrowFlightError::NoPosition`] if the coordinates of the
+    /// mass centre are not states of the model.
     pub fn new(model: Model) -> Result<ThrownBody, ThrowFlightError> {
         let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
         let layout = compiled.layout();
@@ -111,6 +115,9 @@ pub struct ThrowFlights<'b> {
 
 impl ThrowFlights<'_> {
     /// State at release for which the body has the motion of the throw. `near` is that of a similar throw, or none.
+    ///
+    /// # Errors
+    /// [`ThrowError`] if no state has the motion of the throw.
     pub fn state(&self, throw: &Throw, near: Option<&[f64]>) -> Result<Vec<f64>, ThrowError> {
         let thrown = &self.body.thrown;
         match near {
@@ -120,6 +127,9 @@ impl ThrowFlights<'_> {
     }
 
     /// Integrates the flight from a state at release to the ground, without derivatives.
+    ///
+    /// # Errors
+    /// [`IntegrationError`] if the integration fails, or the flight leaves the model's limits or does not end.
     pub fn trajectory(
         &self,
         state: &[f64],

@@ -56,6 +56,9 @@ pub struct Body {
 
 impl Body {
     /// Compiles a model for linearisation.
+    ///
+    /// # Errors
+    /// [`StabilityError::Throw`] if the model has no body, [`StabilityError::PointMass`] if its body has no attitude.
     pub fn new(model: Model) -> Result<Body, StabilityError> {
         let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
         if !thrown.has_attitude() {
@@ -112,6 +115,10 @@ pub struct Linearised {
 
 impl BoundBody<'_> {
     /// Linearises the motion about a state of the model at time `t`, s.
+    ///
+    /// # Errors
+    /// [`StabilityError::Constrained`] if the states of the model do not reach every motion near the state;
+    /// [`StabilityError::NotFinite`] if the linearised motion is not finite there.
     pub fn linearise(&self, t: f64, state: &[f64]) -> Result<Linearised, StabilityError> {
         flight::cancellation::stop_if_cancelled();
         let thrown = &self.body.thrown;

@@ -27,6 +27,9 @@ pub struct Instant {
 }
 
 /// Modes and stability criteria at a state; `time` is that since release, s.
+///
+/// # Errors
+/// [`StabilityError`] if the motion cannot be linearised at the state.
 pub fn at(body: &BoundBody<'_>, time: f64, state: &[f64]) -> Result<Instant, StabilityError> {
     let linearised = body.linearise(time, state)?;
     let derivatives = AxisDerivatives::of(&linearised, body.wind());
@@ -41,6 +44,9 @@ pub fn at(body: &BoundBody<'_>, time: f64, state: &[f64]) -> Result<Instant, Sta
 }
 
 /// Modes and stability criteria at `count` equidistant times of a flight, both ends among them.
+///
+/// # Errors
+/// [`StabilityError`] if the motion cannot be linearised at one of these times.
 pub fn along(
     body: &BoundBody<'_>,
     flight: &Trajectory,

@@ -63,6 +63,9 @@ pub fn fingerprint(of: impl Display) -> String {
 }
 
 /// Part numbers of the share number `share`, from 1, of `of` consecutive shares of `count` parts.
+///
+/// # Errors
+/// [`FolderError::NoPart`] if `share` is not in 1 to `of`.
 pub fn share_of(count: u64, (share, of): (u64, u64)) -> Result<std::ops::Range<u64>, FolderError> {
     if !(1..=of).contains(&share) {
         return Err(FolderError::NoPart { part: share, of });
@@ -80,6 +83,9 @@ pub struct PartsFolder {
 impl PartsFolder {
     /// Opens a folder that is new, empty or holds parts of the same computation (equal `fingerprint`). In a new folder the
     /// description `begun` and the fingerprint are written to `parts.json`.
+    ///
+    /// # Errors
+    /// [`FolderError`] if the folder cannot be read or written, or holds another computation or other files.
     pub fn open(path: &Path, fingerprint: String, mut begun: Value) -> Result<Self, FolderError> {
         let io = |source| FolderError::Io {
             path: path.to_path_buf(),
@@ -130,11 +136,17 @@ impl PartsFolder {
     }
 
     /// Writes `summary.json`, and adds the fingerprint to `json`; from then on the computation is complete.
+    ///
+    /// # Errors
+    /// [`FolderError::Io`] if the file cannot be written.
     pub fn write_summary(&self, json: &mut Value) -> Result<(), FolderError> {
         self.write_json(SUMMARY, json)
     }
 
     /// Writes a text file atomically and syncs it to the disk.
+    ///
+    /// # Errors
+    /// [`FolderError::Io`] if the file cannot be written.
     pub fn write(&self, path: &Path, text: &str) -> Result<(), FolderError> {
         write_atomic(path, text).map_err(|source| FolderError::Io {
             path: path.to_path_buf(),

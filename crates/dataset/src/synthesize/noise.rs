@@ -43,6 +43,9 @@ const AHEAD: usize = 64;
 
 impl Corruption {
     /// Checks that every value is within its range.
+    ///
+    /// # Errors
+    /// [`OutOfRange`] for the first value that is outside its range.
     #[doc(hidden)]
     pub fn check(&self) -> Result<(), OutOfRange> {
         let within = OutOfRange::check;

@@ -38,6 +38,9 @@ const MAX_FRACTION: f64 = 2.0;
 
 impl Spread {
     /// Checks that `fraction` is within its allowed range.
+    ///
+    /// # Errors
+    /// [`OutOfRange`] if `fraction` is not between 0 and its maximum.
     #[doc(hidden)]
     pub fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::check("spread", self.fraction, 0.0, MAX_FRACTION)

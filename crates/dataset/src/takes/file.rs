@@ -7,6 +7,10 @@ use std::path::Path;
 use crate::takes::{Fault, Location, TakeError};
 
 /// Reads a regular file of at most `largest` bytes; `what` describes the expected file in the error message.
+///
+/// # Errors
+/// [`TakeError`] for the whole file if it does not exist, cannot be read, is not a regular file or is larger than
+/// `largest`.
 pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError> {
     let refused = |found: String, expected: &str| {
         TakeError::new(file, Fault::new(Location::File, found, expected))

@@ -54,6 +54,9 @@ pub enum Followed {
 
 impl ImportedTake {
     /// Finds the body and its free flights in the recording `take`, which was read from `file`.
+    ///
+    /// # Errors
+    /// [`TakeError`] if the axis that points up is not known or wrong, or if the markers are not found.
     pub fn new(take: &Take, file: &Path, options: &ImportOptions) -> Result<Self, TakeError> {
         let up = up_of(take, file, options.up)?;
         let followed =
@@ -136,6 +139,9 @@ fn decisions(
 }
 
 /// Axis of the recording that points up: `stated`, or else the one that the file states.
+///
+/// # Errors
+/// [`TakeError`] if neither states it.
 pub fn up_of(take: &Take, file: &Path, stated: Option<Axis>) -> Result<Axis, TakeError> {
     stated.or(take.up).ok_or_else(|| {
         let expected = "the option --up, such as --up +z or --up +y";

@@ -17,12 +17,18 @@ pub enum Durability {
 }
 
 /// Writes a file atomically: an interruption leaves either the old file or the new one.
+///
+/// # Errors
+/// [`io::Error`] if the folder does not exist or is not writable, or `path` is a folder.
 pub fn write_atomic(path: &Path, contents: impl AsRef<[u8]>) -> io::Result<()> {
     let write = |file: &mut File| file.write_all(contents.as_ref());
     write_atomic_with(path, Durability::Synced, write)
 }
 
 /// Writes a file atomically as [`write_atomic`] does; `write` fills the temporary file.
+///
+/// # Errors
+/// The error of `write`, and those of [`write_atomic`].
 pub fn write_atomic_with<E: From<io::Error>>(
     path: &Path,
     durability: Durability,

@@ -9,6 +9,9 @@ const MAX_VALUES: usize = 1 << 23;
 
 /// Reads a table of inputs: a header with `t` and the names of inputs, then rows, whose empty or `NaN` cells are missing
 /// samples. `seconds` converts a time of the table to s.
+///
+/// # Errors
+/// The first fault with its place.
 pub fn read_inputs(
     text: &str,
     interpolation: InputInterpolation,

@@ -11,6 +11,9 @@ use std::path::Path;
 use toml::de::DeTable;
 
 /// Reads and parses a release file, the TOML file with the initial conditions of a flight; otherwise as [`read`].
+///
+/// # Errors
+/// [`ReleaseError`] with all faults of the file, also if it cannot be read or is larger than 1 MiB.
 pub fn read_file(
     path: &Path,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
@@ -40,6 +43,9 @@ pub fn read_named(
 /// `file` is the name in messages; paths in the text are relative to its folder. `vocabulary` returns the names that a
 /// model, given by name or path, defines; its error becomes a fault there. Winds by height and gusts, which change the
 /// model, are rejected; [`read_in_wind`] accepts them.
+///
+/// # Errors
+/// [`ReleaseError`] with all faults of the file.
 pub fn read(
     file: &str,
     text: &str,
@@ -50,6 +56,9 @@ pub fn read(
 
 /// Parses a release file that may specify winds by height and gusts; top-level keys `own_keys` are ignored. Also
 /// returns the names of the model with the wind, [`Vocabulary::model`], which is the one to simulate.
+///
+/// # Errors
+/// [`ReleaseError`] with all faults of the file.
 pub fn read_in_wind(
     file: &str,
     text: &str,

@@ -162,6 +162,9 @@ impl Throw {
     }
 
     /// Checks that every field is in [`FIELDS`]' range, the speed above 0, and a throw with a wobble has a spin.
+    ///
+    /// # Errors
+    /// [`ThrowError::Range`] for the first field outside its range; [`ThrowError::NoSpin`] for a wobble without spin.
     pub fn check(&self) -> Result<(), ThrowError> {
         for (name, ..) in FIELDS {
             self.field(name)
@@ -175,6 +178,9 @@ impl Throw {
     }
 
     /// Checks that the value of one field is in its range in [`FIELDS`], and a speed above 0; ignores other names.
+    ///
+    /// # Errors
+    /// [`ThrowError::Range`] if the value is out of range.
     #[doc(hidden)]
     pub fn check_field(field: &str, value: f64) -> Result<(), ThrowError> {
         let Some((name, unit, least, greatest)) = FIELDS.into_iter().find(|(n, ..)| *n == field)
@@ -252,6 +258,10 @@ impl ThrownModel {
     /// Computes the state of the model that has the motion of a throw, with the mass centre above the point `ground`
     /// (x, y), m. The body's first axis points forward. `parameters` are in the order of the model's
     /// [`Layout`](codegen::Layout); states that the motion does not determine have their default values.
+    ///
+    /// # Errors
+    /// [`ThrowError`] if the throw is invalid, specifies an attitude for a body without one, or is not the motion of
+    /// any state.
     pub fn state(
         &self,
         throw: &Throw,
@@ -263,6 +273,9 @@ impl ThrownModel {
 
     /// As [`state`](Self::state), from `near`, the state of a similar throw: faster, and of several states with the
     /// motion the one near `near`.
+    ///
+    /// # Errors
+    /// [`ThrowError`] as for [`state`](Self::state).
     pub fn state_near(
         &self,
         throw: &Throw,
@@ -329,6 +342,9 @@ impl ThrownModel {
     }
 
     /// State that has a given motion; the search starts at `near` if it is given.
+    ///
+    /// # Errors
+    /// [`ThrowError::NoState`] if no state within the model's limits has the motion.
     pub fn state_of(
         &self,
         motion: &Motion,

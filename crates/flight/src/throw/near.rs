@@ -45,6 +45,9 @@ impl<'m> NearThrows<'m> {
     }
 
     /// Writes to `state` the one with the motion of `throw` and its mass centre above `ground` (x, y), m.
+    ///
+    /// # Errors
+    /// [`ThrowError`] as for [`ThrownModel::state`].
     pub fn state(
         &mut self,
         throw: &Throw,

@@ -37,6 +37,9 @@ const GUST_KEYS: [&str; 8] = [
 pub type StatedWind = ([f64; 3], Option<WindField>);
 
 /// Reads the table `[wind]` of a TOML file, to simulate one release in the wind of another.
+///
+/// # Errors
+/// [`ReleaseError`] with all faults of the table, also if the file cannot be read or has no such table.
 pub fn read_wind_file(path: &Path) -> Result<StatedWind, ReleaseError> {
     read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
         let mut reader = Reader::new(text);

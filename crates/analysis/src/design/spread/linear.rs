@@ -33,6 +33,9 @@ impl Landings {
 }
 
 /// Covariance of the landing position, m², to first order; `near` is a similar state at release.
+///
+/// # Errors
+/// [`ThrowFlightError`] if the throw cannot be flown.
 pub fn landing_covariance(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

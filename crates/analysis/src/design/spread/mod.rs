@@ -84,6 +84,9 @@ pub struct Aims {
 }
 
 /// Spread of the landings of a throw that varies at random, compared with its aims.
+///
+/// # Errors
+/// [`ThrowFlightError`] if the throw itself, without scatter, cannot be flown.
 pub fn spread(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

@@ -33,6 +33,9 @@ const OWN_KEYS: [&str; 8] = [
 ];
 
 /// Reads a plan (TOML); paths in it are relative to the folder of the file.
+///
+/// # Errors
+/// [`ReleaseError`] with all faults of the file, or if the file cannot be read.
 pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
     let folder = path.parent().unwrap_or(Path::new("."));
     read_text(path, "a plan", MAX_FILE_BYTES, |file, text| {
@@ -42,6 +45,9 @@ pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
 
 /// Parses the text of a plan: a release, with `effects`, `flights`, `seed`, `tolerance`, `method`, `[vary]`,
 /// `[[correlations]]` and `[fit]`. Paths are relative to `folder`; `file` is the plan's name in messages.
+///
+/// # Errors
+/// [`ReleaseError`] with all faults of the text.
 pub fn read(file: &str, text: &str, folder: &Path) -> Result<Plan, ReleaseError> {
     let parsed = DeTable::parse(text).ok();
     let effects = parsed.as_ref().map(|d| effects(d.get_ref(), folder));

@@ -14,12 +14,18 @@ use crate::takes::{Fault, Format, Location, ReadOptions, Take, TakeError};
 const MAX_FILE_BYTES: u64 = 1 << 30;
 
 /// Reads the recording in a file.
+///
+/// # Errors
+/// [`TakeError`] with the location of the first fault if the file cannot be read or is malformed.
 pub fn read(file: &Path, options: &ReadOptions) -> Result<Take, TakeError> {
     let bytes = crate::takes::file::bytes(file, MAX_FILE_BYTES, "a recording")?;
     parse(file, &bytes, options)
 }
 
 /// Parses the bytes of a recording file; the path `file` is used in error messages only.
+///
+/// # Errors
+/// [`TakeError`] with the location of the first fault if the bytes are malformed.
 pub fn parse(file: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Take, TakeError> {
     checked(bytes, options).map_err(|fault| TakeError::new(file, fault))
 }

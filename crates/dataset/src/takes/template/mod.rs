@@ -180,6 +180,9 @@ const MIN_SAMPLES: usize = 12;
 ///
 /// `centre_height` is the height of the centre of mass above the mean of the markers along the third body axis, m. If
 /// it is `None`, it is estimated if the flights determine it, or assumed to be 0.
+///
+/// # Errors
+/// [`TemplateError`] if the flights do not determine the shape or the spin axis.
 pub fn estimate_template(
     labels: &[String],
     flights: &[FreeFlight<'_>],
