@@ -241,16 +241,12 @@ fn times(unit: Option<&UnitExpr>, symbol: &str, at: Span) -> UnitExpr {
 /// Root expressions of a statement that are mutated; none where they do not describe physics.
 pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     match &mut item.kind {
-        ItemKind::Body(body) => {
-            let of_part = body.parts.iter_mut().flat_map(|part| match &mut part.kind {
-                BodyPartKind::Mass(e) => vec![e],
-                BodyPartKind::Inertia(i) => i.rows.iter_mut().flatten().flatten().collect(),
-                _ => Vec::new(),
-            });
-            of_part.collect()
-        }
-        ItemKind::Solve(solve) => solve.sides_mut().collect(),
-        other => other.value_mut().into_iter().collect(),
+        ItemKind::Limit(_)
+        | ItemKind::Claim(_)
+        | ItemKind::Balance(_)
+        | ItemKind::Function(_)
+        | ItemKind::Array(_) => Vec::new(),
+        other => other.roots_mut(),
     }
 }
 
