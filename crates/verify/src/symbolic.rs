@@ -8,7 +8,7 @@ use crate::evaluation::{self, Arithmetic, Inputs};
 use crate::field::{self, Angle, FieldPoint};
 use codegen::functions::MathFunction;
 use codegen::program::Program;
-use codegen::table::{SurfaceFunction, Tables};
+use codegen::table::{TableFunction, Tables};
 use num_traits::{One, Zero};
 use oracle::scalar::{Elementary, Field, Prime, Real};
 use oracle::{Interpolant, Point, Surface};
@@ -184,13 +184,13 @@ impl Arithmetic for Symbolic {
             (MathFunction::NonZero, _) => self.if_zero(Self::zero(), Self::one()),
             (MathFunction::Table(function), _) => {
                 let of = tables.table(function.table()).fingerprint;
-                self.map(|a| symbol(|| field::table(of, function.order(), a)))
+                self.map(|a| symbol(|| field::table(of, function.orders()[0], a)))
             }
             _ => self.map(|a| symbol(|| field::call(function, a))),
         }
     }
 
-    fn looked_up(self, other: Self, function: SurfaceFunction, tables: &Tables) -> Self {
+    fn looked_up(self, other: Self, function: TableFunction<2>, tables: &Tables) -> Self {
         let of = tables.table(function.table()).fingerprint;
         self.with(other, |a, b| {
             symbol(|| field::surface(of, function.orders(), [a, b]))
