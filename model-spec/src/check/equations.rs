@@ -298,7 +298,6 @@ impl<'a> Checker<'a> {
         self.model.clock = Some(model::Clock {
             value: typed.expr,
             span: item.span,
-            effect: item.effect,
         });
     }
 

@@ -45,8 +45,7 @@ impl ModelTree {
 }
 
 impl Model {
-    /// Returns the model with an auxiliary variable for each of `instruments`, which predicts the value that the
-    /// instrument measures.
+    /// Returns the model with an auxiliary variable for each of `instruments`, which predicts its measured value.
     pub fn with_instruments(&self, instruments: &[Instrument]) -> Result<Model, LoadError> {
         let has = |name: &str| self.aux_variables.iter().any(|own| own.name == name);
         if instruments.iter().all(|own| has(own.name())) {

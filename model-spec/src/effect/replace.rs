@@ -214,14 +214,16 @@ impl Change<'_> {
             }
         }
         // Keep `angular_velocity` in the frame of the replaced tensor.
-        let stated = |p: &BodyPart| matches!(p.kind, BodyPartKind::AngularVelocityIn(_));
+        let stated = |p: &BodyPart| p.words == "angular velocity in";
         if inertia.frame.text != old.frame.text && !parts.iter().any(stated) {
             parts.push(BodyPart {
+                words: "angular velocity in",
                 span: old.frame.span,
-                kind: BodyPartKind::AngularVelocityIn(old.frame),
+                kind: BodyPartKind::Frame(old.frame),
             });
         }
         parts[at] = BodyPart {
+            words: "inertia",
             kind: BodyPartKind::Inertia(inertia),
             span,
         };

@@ -116,10 +116,10 @@ impl Standard {
         };
         for part in &body.parts {
             match &part.kind {
-                BodyPartKind::Mass(mass) => {
+                BodyPartKind::Value(mass) => {
                     standard.values.insert(MASS.to_owned(), mass.clone());
                 }
-                BodyPartKind::Fixed(frame) if !own(FRAMES[1]) => {
+                BodyPartKind::Frame(frame) if part.words == "fixed in" && !own(FRAMES[1]) => {
                     standard.frames.insert(FRAMES[1], frame.text.clone());
                 }
                 BodyPartKind::Inertia(inertia) => {

@@ -3,9 +3,9 @@
 use std::collections::HashSet;
 
 use super::ast::{
-    Array, Balance, Body, BodyPart, BodyPartKind, Claim, ClaimPart, ClaimPartKind, Effect,
-    Equation, Expr, ExprKind, File, Frame, FrameKind, Function, ImplicitEquation, ItemKind, Let,
-    Limit, Load, Name, Observe, Parameter, Solve, State,
+    Array, Balance, Body, BodyPart, BodyPartKind, Effect, Equation, Expr, ExprKind, File, Frame,
+    FrameKind, Function, ImplicitEquation, ItemKind, Let, Limit, Load, Name, Observe, Parameter,
+    Solve, State,
 };
 
 /// Iterates over the contents of the statements of one kind.
@@ -35,7 +35,8 @@ impl File {
         of_kind!(self.items.iter(), ItemKind::Frame)
     }
 
-    pub(crate) fn effects(&self) -> impl Iterator<Item = &Effect> {
+    /// The effects that the file declares, applied or not.
+    pub fn effects(&self) -> impl Iterator<Item = &Effect> {
         of_kind!(self.items.iter(), ItemKind::Effect)
     }
 
@@ -65,10 +66,7 @@ impl File {
                 },
                 ItemKind::Body(body) => {
                     for part in &body.parts {
-                        if let BodyPartKind::Position(states, _)
-                        | BodyPartKind::Velocity(states, _)
-                        | BodyPartKind::AngularVelocity(states, _) = &part.kind
-                        {
+                        if let BodyPartKind::States(states, _) = &part.kind {
                             names.extend(states.each_ref().map(|state| state.text.clone()));
                         }
                     }
@@ -166,20 +164,17 @@ macro_rules! roots {
                 .map(|Let { value, .. }| value)
                 .chain([value])
                 .collect(),
-            ItemKind::Body(Body { parts, .. }) => { parts.$iter() }
-                .flat_map(|BodyPart { kind, .. }| match kind {
-                    BodyPartKind::Mass(value) => vec![value],
-                    BodyPartKind::Inertia(own) => own.rows.$iter().flatten().flatten().collect(),
-                    _ => Vec::new(),
-                })
-                .collect(),
-            ItemKind::Claim(Claim { parts, .. }) => { parts.$iter() }
-                .flat_map(|ClaimPart { kind, .. }| match kind {
-                    ClaimPartKind::Value(value) => vec![value],
-                    ClaimPartKind::Inertia(own) => own.rows.$iter().flatten().flatten().collect(),
-                    ClaimPartKind::Fixed(_) => Vec::new(),
-                })
-                .collect(),
+            ItemKind::Body(Body { parts, .. }) | ItemKind::Claim(Body { parts, .. }) => {
+                { parts.$iter() }
+                    .flat_map(|BodyPart { kind, .. }| match kind {
+                        BodyPartKind::Value(value) => vec![value],
+                        BodyPartKind::Inertia(own) => {
+                            own.rows.$iter().flatten().flatten().collect()
+                        }
+                        _ => Vec::new(),
+                    })
+                    .collect()
+            }
             ItemKind::Array(Array { statement, .. }) => statement.$roots(),
             other => other.$value().into_iter().collect(),
         }
