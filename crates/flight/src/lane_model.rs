@@ -73,13 +73,13 @@ impl LaneModel {
         self.is_generated
     }
 
-    /// Integrates all flights of `queue` with [`ode::fly`] and returns the number of vectorized evaluations of the
+    /// Integrates all flights of `queue` with [`ode::fly_on`] and returns the number of vectorized evaluations of the
     /// right-hand side. `span` specifies the conditions that end a flight. `isa` selects the instruction set; `None`
     /// selects the widest that the processor supports. Returns 0 without integrating if the processor does not support
     /// `isa`.
     ///
     /// # Panics
-    /// Under the conditions for which [`ode::fly`] panics.
+    /// Under the conditions for which [`ode::fly_on`] panics.
     pub fn fly(
         &self,
         queue: &mut dyn FlightQueue,

@@ -131,8 +131,7 @@ impl<'m> Sensitivities<'m> {
     }
 }
 
-/// Layout of the augmented state vector of [`Sensitivities`]: the state x, then the sensitivity matrix S row by row; x
-/// and each row of S are padded with zeros.
+/// Layout of the augmented state: x, then S row by row; x and each row of S are padded with zeros.
 #[derive(Clone, Copy, Debug)]
 pub struct SensitivityLayout {
     states: usize,
@@ -149,8 +148,7 @@ impl SensitivityLayout {
         0..self.states
     }
 
-    /// Index range, in the augmented state vector, of the row of the sensitivity matrix S that belongs to one state;
-    /// padding included.
+    /// Index range of the row of the sensitivity matrix S of one state, padding included.
     #[inline]
     pub fn row_range(&self, state: usize) -> Range<usize> {
         let first = self.first + state * self.stride;
@@ -162,8 +160,7 @@ impl SensitivityLayout {
         &augmented[self.state_range()]
     }
 
-    /// Row of the sensitivity matrix S that belongs to one state, within an augmented state vector, including the zeros
-    /// that pad the row.
+    /// Row of the sensitivity matrix S of one state within an augmented state vector, padding included.
     #[inline]
     pub fn padded_row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
         &augmented[self.row_range(state)]
