@@ -39,8 +39,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Axis of revolution (1, 2 or 3) of the claimed body: that of the rotation from the frame of the inertia to the
-    /// body-fixed frame.
+    /// Axis of revolution (1, 2 or 3) of the claimed body, which turns the frame of its inertia to the body frame.
     pub fn axis_of_revolution(&self) -> Option<u8> {
         let Self::Claim(model) = self else {
             return None;
@@ -68,8 +67,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Rate of the physical state for rates of the states with respect to true time; `pace`: flight time per recorded
-    /// time.
+    /// Rate of the physical state for rates of the states by true time; `pace`: flight time per recorded time.
     pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
         match self {
             Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),

@@ -33,8 +33,7 @@ pub fn with_numbers<R>(task: impl FnOnce() -> R) -> R {
     result
 }
 
-/// Key of a cached function value: the function, and its argument as mantissa, sign, exponent, and whether it is
-/// rounded.
+/// Key of a cached value: the function, and its argument as mantissa, sign, exponent, and whether it is rounded.
 #[derive(PartialEq, Eq, Hash)]
 struct Call {
     function: u8,

@@ -8,8 +8,7 @@ use super::table::Interpolant;
 use super::{Elementary, Field, Real, Surface};
 use num_traits::{One, Zero};
 
-/// A computed number and the scale of its rounding error: the sum of the absolute values of the terms that sum to the
-/// number.
+/// A number and the scale of its rounding error: the sum of the absolute values of its terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorBound {
     /// Computed value.
@@ -23,8 +22,7 @@ impl ErrorBound {
     /// value, and far below every quantity of a flight.
     pub const NEGLIGIBLE: f64 = 1e-100;
 
-    /// Error of `other` relative to the magnitude of this number, |`other` − value| / magnitude; infinite if `other` or
-    /// the value is NaN.
+    /// Error of `other`, |`other` − value| / magnitude; infinite if `other` or the value is NaN.
     pub fn relative_error(self, other: f64) -> f64 {
         let difference = (other - self.value).abs();
         if difference == 0.0 {

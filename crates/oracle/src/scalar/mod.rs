@@ -45,8 +45,7 @@ pub trait Field:
     fn integer(value: i64) -> Self;
 }
 
-/// A [`Field`] of scalars with the functions of the model language, such as sine, and their defined values at singular
-/// points.
+/// A [`Field`] with the functions of the model language and their defined values at singular points.
 pub trait Real: Field {
     /// This number with derivatives within one another; the same type if it has them.
     type Jet: Infinitesimals;

@@ -84,8 +84,7 @@ macro_rules! wrapped_ops {
     };
 }
 
-/// Implements [`One`](num_traits::One) and [`Field`](super::Field) for a scalar type that represents every literal by
-/// the nearest `f64`, by means of `Real::lit`.
+/// Implements [`One`](num_traits::One) and [`Field`](super::Field) by means of `Real::lit`.
 macro_rules! rounded_literals {
     ($type:ty) => {
         impl One for $type {
