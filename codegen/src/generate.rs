@@ -5,10 +5,8 @@ use crate::compile::compile;
 use crate::rust;
 use model_spec::model::Model;
 use similar::TextDiff;
-use std::fmt;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fmt, fs, io};
 
 /// Source files of the crate `generated`, sorted by path relative to its `src`.
 pub fn generate(models: &[Model]) -> Vec<SourceFile> {

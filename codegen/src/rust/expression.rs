@@ -1,8 +1,7 @@
 //! Writing of the operations of a function body as Rust expressions.
 
 use super::names::ident;
-use super::scalar::Scalar;
-use super::scalar::{Binding, Expr};
+use super::scalar::{Binding, Expr, Scalar};
 use crate::backend::body::{Body, Input};
 use crate::functions::BinaryFunction;
 use crate::program::{Binary, Op, Operand, Unary};

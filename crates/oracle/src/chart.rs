@@ -2,8 +2,7 @@
 //! matrices in the vector tree.
 
 use crate::attitude::{Quaternion, unit};
-use crate::physical::solve;
-use crate::physical::{Motion, Physical};
+use crate::physical::{Motion, Physical, solve};
 use crate::scalar::{Dual, Real};
 use model_spec::model::{FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};

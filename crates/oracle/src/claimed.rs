@@ -3,8 +3,7 @@
 //! momentum. All vectors are in inertial components.
 
 use crate::attitude::{Quaternion, unit};
-use crate::physical::Physical;
-use crate::physical::inertia_in_n;
+use crate::physical::{Physical, inertia_in_n};
 use crate::point::Point;
 use crate::scalar::{Dual, Real};
 use crate::tree::Tree;

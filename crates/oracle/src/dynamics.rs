@@ -4,8 +4,7 @@
 use crate::attitude::Quaternion;
 use crate::error::Unsupported;
 use crate::frames::{ElementaryRotation, PlacedFrame, elementary_rotations};
-use crate::physical::{MassProperties, Motion};
-use crate::physical::{angular_acceleration, inertia_in_n, solve};
+use crate::physical::{MassProperties, Motion, angular_acceleration, inertia_in_n, solve};
 use crate::point::Point;
 use crate::scalar::{Field, Real};
 use crate::tree::Tree;

@@ -1,10 +1,9 @@
 //! Evaluates programs of the compiler with any scalar type of the oracle.
 
-use codegen::Compiled;
 use codegen::functions::{BinaryFunction, MathFunction};
 use codegen::program::{Binary, Function, Fused, Op, Operand, Program, Unary};
 use codegen::table::{TableFunction, Tables};
-use codegen::tape;
+use codegen::{Compiled, tape};
 use num_traits::Zero;
 use oracle::Point;
 use oracle::scalar::{Big, Elementary, ErrorBound, Field, Real, with_numbers};

@@ -1,7 +1,6 @@
 //! Physical meaning of the states of a model, given by a chart or by the claimed body.
 
-use crate::subject::Bounded;
-use crate::subject::Subject;
+use crate::subject::{Bounded, Subject};
 use model_spec::model::{ClaimedAttitude, FrameKind, Model};
 use nalgebra::{DMatrix, DVector, Vector3};
 use oracle::scalar::{ErrorBound, Real};

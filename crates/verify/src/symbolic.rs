@@ -10,7 +10,7 @@ use codegen::functions::MathFunction;
 use codegen::program::Program;
 use codegen::table::{TableFunction, Tables};
 use num_traits::{One, Zero};
-use oracle::scalar::{Elementary, Field, Prime, Real};
+use oracle::scalar::{Elementary, Prime, Real};
 use oracle::{Interpolant, Point, Surface};
 use std::cell::RefCell;
 
@@ -105,27 +105,12 @@ oracle::operators!([] Symbolic {
     -a => a.map(|a| Some(-a)),
 });
 
-impl Zero for Symbolic {
-    fn zero() -> Self {
-        Prime::zero().into()
-    }
-
-    fn is_zero(&self) -> bool {
-        self.0.is_some_and(|value| value.is_zero())
-    }
-}
-
-impl One for Symbolic {
-    fn one() -> Self {
-        Prime::one().into()
-    }
-}
-
-impl Field for Symbolic {
-    fn integer(value: i64) -> Self {
-        Prime::integer(value).into()
-    }
-}
+oracle::constants!([] Symbolic {
+    zero => Prime::zero().into(),
+    is_zero(a) => a.0.is_some_and(|value| value.is_zero()),
+    one => Prime::one().into(),
+    integer(n) => Prime::integer(n).into(),
+});
 
 impl Real for Symbolic {
     oracle::jet!();

@@ -3,9 +3,7 @@
 use crate::diagnostic::{Diagnostic, Kind, Source};
 use crate::files::{self, Complete};
 use crate::location::Span;
-use crate::read::EFFECTS;
-use crate::read::LoadError;
-use crate::read::read;
+use crate::read::{EFFECTS, LoadError, read};
 use crate::syntax::ast::{Effect, EffectPart, Item, ItemKind, Need};
 use std::fmt;
 use std::path::Path;

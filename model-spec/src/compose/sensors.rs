@@ -7,8 +7,7 @@ use crate::read::LoadError;
 use crate::syntax::ast::{FrameKind, ItemKind};
 use crate::syntax::{self, of_kind};
 
-use super::Instrument;
-use super::ModelTree;
+use super::{Instrument, ModelTree};
 
 impl ModelTree {
     /// The model with an auxiliary variable [`Instrument::name`] for each of `instruments`, which predicts the measured

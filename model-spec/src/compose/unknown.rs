@@ -7,10 +7,9 @@ use std::sync::Arc;
 
 use super::ModelTree;
 use crate::model::Model;
-use crate::nearest_name;
 use crate::read::LoadError;
-use crate::syntax;
 use crate::syntax::ast::{File, Item, ItemKind};
+use crate::{nearest_name, syntax};
 
 /// Error of [`Model::with_unknown`].
 #[derive(Clone, Debug, thiserror::Error)]

@@ -11,8 +11,7 @@ pub use spinning::Stream;
 
 use crate::chart::Chart;
 use crate::error::BindError;
-use crate::physical::MassProperties;
-use crate::physical::{Load, Motion, Physical};
+use crate::physical::{Load, MassProperties, Motion, Physical};
 use crate::point::Point;
 use crate::scalar::Real;
 use model_spec::model::{FrameKind, Model, Parameter};

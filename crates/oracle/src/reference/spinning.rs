@@ -3,8 +3,7 @@
 //! Formulated with vectors, independent of the models' formulas: lift acts along v × d2, drag against the velocity,
 //! and the accelerations follow from the momenta in the inertial frame.
 
-use crate::physical::MassProperties;
-use crate::physical::{Load, Physical};
+use crate::physical::{Load, MassProperties, Physical};
 use crate::scalar::Real;
 use crate::tree::norm;
 use nalgebra::{Matrix3, Vector3};

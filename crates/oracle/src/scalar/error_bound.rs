@@ -5,8 +5,8 @@
 //! the magnitude is therefore comparable with the rounding unit, whether or not terms cancel.
 
 use super::table::Interpolant;
-use super::{Elementary, Field, Real, Surface};
-use num_traits::{One, Zero};
+use super::{Elementary, Real, Surface};
+use num_traits::Zero;
 
 /// A number and the scale of its rounding error: the sum of the absolute values of its terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,20 +59,12 @@ crate::operators!([] ErrorBound {
     -a => Self { value: -a.value, ..a },
 });
 
-impl Zero for ErrorBound {
-    fn zero() -> Self {
-        Self {
-            value: 0.0,
-            magnitude: 0.0,
-        }
-    }
-
-    fn is_zero(&self) -> bool {
-        self.value == 0.0
-    }
-}
-
-super::rounded_literals!(ErrorBound);
+crate::constants!([] ErrorBound {
+    zero => Self::lit(0.0),
+    is_zero(a) => a.value == 0.0,
+    one => Self::lit(1.0),
+    integer(n) => Self::lit(n as f64),
+});
 
 impl Real for ErrorBound {
     crate::jet!();

@@ -19,7 +19,6 @@ pub use function::Elementary;
 pub(crate) use function::call;
 pub use jet::Jet;
 pub use lockstep::Lockstep;
-use ops::rounded_literals;
 pub use prime::{PRIME, Prime};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 pub use surface::Surface;
