@@ -5,7 +5,7 @@ mod frispy;
 use generated::disc;
 use lanes::Lanes;
 use ode::{
-    FlightEnd, FlightQueue, FlightSpan, IntegrationOptions, LanePoint, LaneRhs, LaneSizes, Method, fly,
+    FlightEnd, FlightQueue, FlightSpan, IntegrationOptions, LanePoint, LaneRhs, LaneSizes, Method, fly_on,
 };
 
 macro_rules! model {
@@ -117,8 +117,8 @@ pub unsafe extern "C" fn flights(
     let method = if dop853 == 1 { Method::Dop853 } else { Method::Tsit5 };
     let options = IntegrationOptions { method, rtol, atol, ..IntegrationOptions::default() };
     match model {
-        0 => fly(&Frispy, &mut queue, &span, &options),
-        _ => fly(&Disc, &mut queue, &span, &options),
+        0 => fly_on(lanes::Isa::best(), &Frispy, &mut queue, &span, &options),
+        _ => fly_on(lanes::Isa::best(), &Disc, &mut queue, &span, &options),
     };
     queue.evaluations
 }

@@ -1,6 +1,6 @@
 //! Operation counts of programs, by kind. A fused multiply-add counts as one product and one sum.
 
-use crate::functions::CostKind;
+use crate::functions::{BinaryFunction, CostKind};
 use crate::program::{Binary, Op, Operand, Program, Unary};
 use std::fmt;
 
@@ -40,8 +40,8 @@ impl Count {
                 Binary::Add | Binary::Sub => &mut self.add,
                 Binary::Mul => &mut self.mul,
                 Binary::Div => &mut self.div,
-                Binary::Atan2 | Binary::Table(_) => &mut self.call,
-                Binary::Min | Binary::Max => &mut self.select,
+                Binary::Call(BinaryFunction::Min | BinaryFunction::Max) => &mut self.select,
+                Binary::Call(_) => &mut self.call,
             },
             Op::Unary(unary, _) => match unary {
                 Unary::Neg => &mut self.neg,

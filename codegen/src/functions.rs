@@ -4,7 +4,7 @@
 //! (a new form of derivative is also in `differentiate/partials.rs`). The tables of a model are functions too; their knots and values are in [`Tables`].
 
 use crate::number::Number;
-use crate::table::{SurfaceFunction, TableFunction, TableId, Tables};
+use crate::table::{TableFunction, TableId, Tables};
 use lanes::{ElementaryFunction, Real};
 use model_spec::model::Function as Named;
 
@@ -47,7 +47,19 @@ pub enum BinaryFunction {
     /// The greater of the operands.
     Max,
     /// A table of two arguments, or a partial derivative of one.
-    Table(SurfaceFunction),
+    Table(TableFunction<2>),
+}
+
+impl BinaryFunction {
+    /// Name in printed expressions; `table_of_two` for every table.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Atan2 => "atan2",
+            Self::Min => "min",
+            Self::Max => "max",
+            Self::Table(_) => "table_of_two",
+        }
+    }
 }
 
 /// Symmetry of a function about 0.
@@ -163,9 +175,6 @@ impl MathFunction {
     }
 
     /// Evaluates the function at `x`; `tables` are the tables of the model.
-    ///
-    /// # Panics
-    /// If the function is a table that is not in `tables`.
     #[inline(always)]
     pub fn eval<T: Real>(self, x: T, tables: &Tables) -> T {
         match self {
@@ -214,7 +223,7 @@ impl MathFunction {
             Self::Abs => Derivative::Call(Self::Sign),
             Self::Sign | Self::Heaviside | Self::NonZero => Derivative::Zero,
             Self::Sqrt => Derivative::HalfOverValue,
-            Self::Table(function) => function.derivative().map_or(Derivative::Zero, |slope| {
+            Self::Table(function) => function.derivative(0).map_or(Derivative::Zero, |slope| {
                 Derivative::Call(Self::Table(slope))
             }),
         }
@@ -335,7 +344,9 @@ impl FunctionLowering {
             Named::Sign => MathFunction::Sign,
             Named::Step => MathFunction::Heaviside,
             Named::Tanh => MathFunction::Tanh,
-            Named::Table(index) => MathFunction::Table(TableFunction::new(TableId::new(index), 0)),
+            Named::Table(index) => {
+                MathFunction::Table(TableFunction::value_of(TableId::new(index)))
+            }
         })
     }
 

@@ -5,10 +5,8 @@ use crate::compile::compile;
 use crate::rust;
 use model_spec::model::Model;
 use similar::TextDiff;
-use std::fmt;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fmt, fs, io};
 
 /// Source files of the crate `generated`, sorted by path relative to its `src`.
 pub fn generate(models: &[Model]) -> Vec<SourceFile> {
@@ -51,9 +49,6 @@ impl fmt::Display for Difference {
 /// Compares `directory`, the `src` directory of the crate `generated` (Rust code of the models), with the files that
 /// [`generate`] generates from `models`. Rust files in the directory that are not among the generated files also count
 /// as differences. Returns an empty list if nothing differs.
-///
-/// # Errors
-/// If the directory or a file in it cannot be read.
 pub fn check(directory: &Path, models: &[Model]) -> io::Result<Vec<Difference>> {
     let files = generate(models);
     let mut differences = check_files(directory, &files)?;
@@ -66,9 +61,6 @@ pub fn check(directory: &Path, models: &[Model]) -> io::Result<Vec<Difference>> 
 }
 
 /// Compares generated files with the files of equal path in a directory; other files in the directory are ignored.
-///
-/// # Errors
-/// If a file cannot be read.
 pub fn check_files(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<Difference>> {
     let mut differences = Vec::new();
     for SourceFile { path, text } in files {
@@ -106,9 +98,6 @@ fn difference(path: &str, found: &str, expected: &str) -> Option<Difference> {
 /// Writes the changed files of the crate `generated` (Rust code of the models) to `directory`, and removes Rust files
 /// that are not among the generated files. Returns the paths, relative to `directory`, of all changed and removed
 /// files.
-///
-/// # Errors
-/// If a file cannot be read, written or removed.
 pub fn write(directory: &Path, models: &[Model]) -> io::Result<Vec<String>> {
     let files = generate(models);
     let mut changed = write_files(directory, &files)?;
@@ -125,9 +114,6 @@ pub fn write(directory: &Path, models: &[Model]) -> io::Result<Vec<String>> {
 
 /// Writes the files whose text differs from the file on disk, each atomically by renaming a temporary file. Returns the
 /// paths of the written files, relative to `directory`.
-///
-/// # Errors
-/// If a file or its directory cannot be written.
 pub fn write_files(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<String>> {
     let mut changed = Vec::new();
     for SourceFile { path, text } in files {

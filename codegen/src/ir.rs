@@ -3,9 +3,9 @@
 //! The format is described in `docs/reference/ir.md`, and by the JSON Schema beside that page.
 
 use crate::compile::{Compiled, compile};
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::program::{Binary, Function, Fused, Op, Operand, Section, Unary};
-use crate::table::{PiecewiseCubic, SurfaceFunction, TableFunction, Tables};
+use crate::table::{PiecewiseCubic, TableFunction, Tables};
 use model_spec::layout::{Layout, is_unlisted};
 use model_spec::model::{Input, Model, Parameter, Shape, State, ValidityLimit};
 use std::fmt::Write;
@@ -32,9 +32,6 @@ pub enum IrError {
 
 /// Compiles a model and returns it as JSON: names, units and default values, then the statements of each function.
 /// Equal models give equal text.
-///
-/// # Errors
-/// [`IrError`] if a constant of the model is not finite.
 pub fn json(model: &Model) -> Result<String, IrError> {
     let compiled = compile(model);
     let written = || {
@@ -210,7 +207,7 @@ struct Writer<'a> {
 #[derive(Clone, Copy, PartialEq)]
 enum Looked {
     One(TableFunction),
-    Two(SurfaceFunction),
+    Two(TableFunction<2>),
 }
 
 impl Writer<'_> {
@@ -233,7 +230,7 @@ impl Writer<'_> {
         if let Op::Unary(Unary::Call(MathFunction::Table(table)), _) = *op {
             items.push(self.table(Looked::One(table)).to_string());
         }
-        if let Op::Binary(Binary::Table(table), ..) = *op {
+        if let Op::Binary(Binary::Call(BinaryFunction::Table(table)), ..) = *op {
             items.push(self.table(Looked::Two(table)).to_string());
         }
         for operand in op.operands() {
@@ -330,10 +327,7 @@ fn operation(op: &Op) -> &'static str {
         Op::Binary(Binary::Sub, ..) => "sub",
         Op::Binary(Binary::Mul, ..) => "mul",
         Op::Binary(Binary::Div, ..) => "div",
-        Op::Binary(Binary::Atan2, ..) => "atan2",
-        Op::Binary(Binary::Min, ..) => "min",
-        Op::Binary(Binary::Max, ..) => "max",
-        Op::Binary(Binary::Table(_), ..) => "table_of_two",
+        Op::Binary(Binary::Call(function), ..) => function.name(),
         Op::Fused(Fused::MulAdd, ..) => "mul_add",
         Op::Fused(Fused::MulSub, ..) => "mul_sub",
         Op::Fused(Fused::NegMulAdd, ..) => "neg_mul_add",
@@ -357,10 +351,10 @@ fn table(tables: &Tables, used: Looked) -> Result<String, NotFinite> {
     Ok(object(&fields, ""))
 }
 
-fn surface(tables: &Tables, used: SurfaceFunction) -> Result<String, NotFinite> {
+fn surface(tables: &Tables, used: TableFunction<2>) -> Result<String, NotFinite> {
     let bicubic = tables.table(used.table()).bicubic();
     let bicubic = bicubic.derivative(used.orders());
-    let name = tables.surface_name(used);
+    let name = tables.name(used);
     let [first, second] = bicubic.knots();
     let cells = bicubic.cells().iter().map(|cell| numbers(cell, &name));
     let fields = [

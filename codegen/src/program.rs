@@ -1,7 +1,7 @@
 //! Straight-line programs, which every backend prints or interprets.
 
 use crate::functions::{BinaryFunction, MathFunction};
-use crate::table::{SurfaceFunction, Tables};
+use crate::table::Tables;
 
 /// Source of an operand: an input, a constant or the result of an earlier statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,23 +43,8 @@ pub enum Binary {
     Sub,
     Mul,
     Div,
-    /// Polar angle of the point (x, y), rad; operands in the order (y, x).
-    Atan2,
-    Min,
-    Max,
-    /// A table of two arguments, or a partial derivative of one.
-    Table(SurfaceFunction),
-}
-
-impl From<BinaryFunction> for Binary {
-    fn from(function: BinaryFunction) -> Binary {
-        match function {
-            BinaryFunction::Atan2 => Binary::Atan2,
-            BinaryFunction::Min => Binary::Min,
-            BinaryFunction::Max => Binary::Max,
-            BinaryFunction::Table(function) => Binary::Table(function),
-        }
-    }
+    /// Function of the operands.
+    Call(BinaryFunction),
 }
 
 /// Multiply-add of the operands (a, b, c); rounded once if the number type has a fused multiply-add, else twice.

@@ -108,7 +108,7 @@ fn node(graph: &mut ExprGraph, step: Step, x: NodeId, y: NodeId) -> NodeId {
         Step::Max => graph.call2(BinaryFunction::Max, x, y),
         Step::Call(function) => graph.call(function, x),
         Step::Table => {
-            let value = TableFunction::new(TableId::new(0), 0);
+            let value = TableFunction::value_of(TableId::new(0));
             graph.call(MathFunction::Table(value), x)
         }
     }

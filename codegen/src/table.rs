@@ -6,7 +6,7 @@
 mod bicubic;
 mod cubic;
 
-pub use bicubic::{PiecewiseBicubic, SurfaceFunction};
+pub use bicubic::PiecewiseBicubic;
 pub use cubic::PiecewiseCubic;
 
 use model_spec::model;
@@ -17,38 +17,41 @@ model_spec::index_type!(
     pub struct TableId;
 );
 
-/// A table or one of its derivatives, as a function of one argument; encoded in two bytes.
+/// Highest order of a derivative that is not identically zero: the third derivative is constant in each interval.
+pub const LAST_ORDER: u8 = 3;
+
+/// A table of `N` arguments, one or two, or one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct TableFunction(u16);
+pub struct TableFunction<const N: usize = 1> {
+    table: u16,
+    orders: [u8; N],
+}
 
-impl TableFunction {
-    /// Highest order of a derivative that is not identically zero: the third derivative is constant in each interval.
-    pub const LAST: u8 = 3;
-
-    /// Returns the function of a table (`order` 0) or of its derivative of the given order.
+impl<const N: usize> TableFunction<N> {
+    /// Returns the value of a table as a function.
     ///
     /// # Panics
-    /// If the order exceeds [`TableFunction::LAST`], or the index exceeds 16383, far above the number of tables of a
-    /// model.
-    pub fn new(table: TableId, order: u8) -> TableFunction {
-        assert!(order <= Self::LAST);
-        let code = (table.index() << 2) | usize::from(order);
-        TableFunction(u16::try_from(code).expect("few tables"))
+    /// If the index exceeds `u16::MAX`, far above the number of tables of a model.
+    pub fn value_of(table: TableId) -> Self {
+        let table = u16::try_from(table.index()).expect("few tables");
+        let orders = [0; N];
+        Self { table, orders }
     }
 
     /// Index of the table whose value or derivative this function is.
     pub fn table(self) -> TableId {
-        TableId::new(usize::from(self.0 >> 2))
+        TableId::new(usize::from(self.table))
     }
 
-    /// Order of the derivative; 0 for the value of the table.
-    pub fn order(self) -> u8 {
-        (self.0 & 3) as u8
+    /// Orders of the derivative by each argument; 0 for the value of the table.
+    pub fn orders(self) -> [u8; N] {
+        self.orders
     }
 
-    /// Derivative of this function; `None` if it is identically zero.
-    pub fn derivative(self) -> Option<TableFunction> {
-        (self.order() < Self::LAST).then_some(TableFunction(self.0 + 1))
+    /// Partial derivative of this function by the argument 0 or 1; `None` if it is identically zero.
+    pub fn derivative(mut self, argument: usize) -> Option<Self> {
+        self.orders[argument] += 1;
+        (self.orders[argument] <= LAST_ORDER).then_some(self)
     }
 }
 
@@ -69,7 +72,7 @@ pub struct CubicTable {
 #[derive(Clone, Debug, PartialEq)]
 enum TableOf {
     /// A function of one argument, with its derivatives.
-    One([PiecewiseCubic; TableFunction::LAST as usize + 1]),
+    One([PiecewiseCubic; LAST_ORDER as usize + 1]),
     Two(PiecewiseBicubic),
 }
 
@@ -96,10 +99,10 @@ impl CubicTable {
         }
     }
 
-    /// Piecewise cubic of the value (`order` 0) or of a derivative, of an order up to [`TableFunction::LAST`].
+    /// Piecewise cubic of the value (`order` 0) or of a derivative, of an order up to [`LAST_ORDER`].
     ///
     /// # Panics
-    /// If the order exceeds [`TableFunction::LAST`], or the table has two arguments.
+    /// If the order exceeds [`LAST_ORDER`], or the table has two arguments.
     pub fn cubic(&self, order: u8) -> &PiecewiseCubic {
         match &self.function {
             TableOf::One(derivatives) => &derivatives[usize::from(order)],
@@ -108,9 +111,6 @@ impl CubicTable {
     }
 
     /// Piecewise bicubic of a table of two arguments.
-    ///
-    /// # Panics
-    /// If the table has one argument.
     pub fn bicubic(&self) -> &PiecewiseBicubic {
         match &self.function {
             TableOf::One(_) => panic!("the table `{}` has one argument", self.name),
@@ -130,44 +130,28 @@ impl Tables {
     }
 
     /// Returns the table with the index `id`.
-    ///
-    /// # Panics
-    /// If no table has this index.
     pub fn table(&self, id: TableId) -> &CubicTable {
         &self.0[id.index()]
     }
 
     /// Returns the piecewise cubic of a table or of its derivative.
-    ///
-    /// # Panics
-    /// If the function belongs to a table that is not in `self`.
     #[inline]
     pub fn of(&self, function: TableFunction) -> &PiecewiseCubic {
-        self.table(function.table()).cubic(function.order())
+        self.table(function.table()).cubic(function.orders()[0])
     }
 
-    /// Name of a table or its derivative: `C_L`, `C_L_slope`.
-    pub fn name(&self, function: TableFunction) -> String {
-        let name = self.base_name(function.table());
-        match function.order() {
-            0 => name.to_owned(),
-            1 => format!("{name}_slope"),
-            order => format!("{name}_derivative_{order}"),
-        }
-    }
-
-    /// Name of a table of two arguments or of its derivative: `C_L`, `C_L_derivative_1_0`.
-    pub fn surface_name(&self, function: SurfaceFunction) -> String {
-        let name = self.base_name(function.table());
-        match function.orders() {
-            [0, 0] => name.to_owned(),
-            [by_first, by_second] => format!("{name}_derivative_{by_first}_{by_second}"),
-        }
-    }
-
-    fn base_name(&self, table: TableId) -> &str {
-        let known = self.0.get(table.index());
+    /// Name of a table or its derivative: `C_L`, `C_L_slope`, of two arguments `C_L_derivative_1_0`.
+    pub fn name<const N: usize>(&self, function: TableFunction<N>) -> String {
+        let known = self.0.get(function.table().index());
         let name = known.map_or("", |table| table.name.as_str());
-        if name.is_empty() { "table" } else { name }
+        let name = if name.is_empty() { "table" } else { name };
+        match &function.orders()[..] {
+            [0] | [0, 0] => name.to_owned(),
+            [1] => format!("{name}_slope"),
+            [order] => format!("{name}_derivative_{order}"),
+            orders => { orders.iter() }.fold(format!("{name}_derivative"), |name, order| {
+                format!("{name}_{order}")
+            }),
+        }
     }
 }

@@ -6,30 +6,18 @@
 mod allocate;
 mod steps;
 
-use crate::functions::MathFunction;
+use crate::functions::BinaryFunction;
 use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
-use crate::table::{SurfaceFunction, Tables};
+use crate::table::Tables;
 use lanes::Real;
 
 /// Operation code of an instruction of the register bytecode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Opcode {
-    Add,
-    Sub,
-    Mul,
-    Div,
-    MulAdd,
-    MulSub,
-    NegMulAdd,
-    Neg,
-    Recip,
-    RecipOrZero,
-    Min,
-    Max,
-    Atan2,
-    Lookup(SurfaceFunction),
+    Binary(Binary),
+    Fused(Fused),
+    Unary(Unary),
     IfZero,
-    Call(MathFunction),
     /// Sine of register `a` to the target, its cosine to register `b`.
     SinCos,
 }
@@ -100,9 +88,6 @@ impl Tape {
     }
 
     /// Evaluates the program. `scratch` grows to [`registers`](Tape::registers) elements and can be reused.
-    ///
-    /// # Panics
-    /// If an input is shorter than the program reads, or `out` is shorter than [`outputs`](Tape::outputs).
     #[inline(always)]
     pub fn eval<T: Real>(&self, inputs: Inputs<'_, T>, scratch: &mut Vec<T>, out: &mut [T]) {
         if scratch.len() < self.registers {
@@ -112,9 +97,6 @@ impl Tape {
     }
 
     /// Evaluates the program in a scratch space of at least [`registers`](Tape::registers) elements.
-    ///
-    /// # Panics
-    /// If an input, `scratch` or `out` is shorter than the program needs; see [`eval`](Tape::eval).
     #[inline(always)]
     pub fn eval_in<T: Real>(&self, inputs: Inputs<'_, T>, scratch: &mut [T], out: &mut [T]) {
         let s = &mut scratch[..self.registers];
@@ -143,26 +125,26 @@ impl Tape {
                 };
             }
             match run.opcode {
-                Opcode::MulAdd => each!(|a, b, c| a.mul_add(b, c)),
-                Opcode::MulSub => each!(|a, b, c| a.mul_sub(b, c)),
-                Opcode::NegMulAdd => each!(|a, b, c| a.neg_mul_add(b, c)),
-                Opcode::Mul => each!(|a, b| a * b),
-                Opcode::Add => each!(|a, b| a + b),
-                Opcode::Sub => each!(|a, b| a - b),
-                Opcode::Div => each!(|a, b| a / b),
-                Opcode::Atan2 => each!(|a, b| a.atan2(b)),
-                Opcode::Lookup(function) => {
+                Opcode::Fused(Fused::MulAdd) => each!(|a, b, c| a.mul_add(b, c)),
+                Opcode::Fused(Fused::MulSub) => each!(|a, b, c| a.mul_sub(b, c)),
+                Opcode::Fused(Fused::NegMulAdd) => each!(|a, b, c| a.neg_mul_add(b, c)),
+                Opcode::Binary(Binary::Mul) => each!(|a, b| a * b),
+                Opcode::Binary(Binary::Add) => each!(|a, b| a + b),
+                Opcode::Binary(Binary::Sub) => each!(|a, b| a - b),
+                Opcode::Binary(Binary::Div) => each!(|a, b| a / b),
+                Opcode::Binary(Binary::Call(BinaryFunction::Atan2)) => each!(|a, b| a.atan2(b)),
+                Opcode::Binary(Binary::Call(BinaryFunction::Table(function))) => {
                     let bicubic = self.tables.table(function.table()).bicubic();
                     let orders = function.orders();
                     each!(|a, b| bicubic.eval(a, b, orders));
                 }
-                Opcode::Min => each!(|a, b| a.min(b)),
-                Opcode::Max => each!(|a, b| a.max(b)),
+                Opcode::Binary(Binary::Call(BinaryFunction::Min)) => each!(|a, b| a.min(b)),
+                Opcode::Binary(Binary::Call(BinaryFunction::Max)) => each!(|a, b| a.max(b)),
                 Opcode::IfZero => each!(|a, b, c| a.if_zero(b, c)),
-                Opcode::Neg => each!(|a| -a),
-                Opcode::Recip => each!(|a| T::splat(1.0) / a),
-                Opcode::RecipOrZero => each!(|a| a.recip_or_zero()),
-                Opcode::Call(function) => each!(|a| function.eval(a, &self.tables)),
+                Opcode::Unary(Unary::Neg) => each!(|a| -a),
+                Opcode::Unary(Unary::Recip) => each!(|a| T::splat(1.0) / a),
+                Opcode::Unary(Unary::RecipOrZero) => each!(|a| a.recip_or_zero()),
+                Opcode::Unary(Unary::Call(function)) => each!(|a| function.eval(a, &self.tables)),
                 Opcode::SinCos => {
                     for i in these {
                         let (sin, cos) = s[i.a as usize].sin_cos();
@@ -181,21 +163,9 @@ impl Tape {
 impl From<Op> for Opcode {
     fn from(op: Op) -> Opcode {
         match op {
-            Op::Unary(Unary::Neg, _) => Opcode::Neg,
-            Op::Unary(Unary::Recip, _) => Opcode::Recip,
-            Op::Unary(Unary::RecipOrZero, _) => Opcode::RecipOrZero,
-            Op::Unary(Unary::Call(function), _) => Opcode::Call(function),
-            Op::Binary(Binary::Add, ..) => Opcode::Add,
-            Op::Binary(Binary::Sub, ..) => Opcode::Sub,
-            Op::Binary(Binary::Mul, ..) => Opcode::Mul,
-            Op::Binary(Binary::Div, ..) => Opcode::Div,
-            Op::Binary(Binary::Atan2, ..) => Opcode::Atan2,
-            Op::Binary(Binary::Table(function), ..) => Opcode::Lookup(function),
-            Op::Binary(Binary::Min, ..) => Opcode::Min,
-            Op::Binary(Binary::Max, ..) => Opcode::Max,
-            Op::Fused(Fused::MulAdd, ..) => Opcode::MulAdd,
-            Op::Fused(Fused::MulSub, ..) => Opcode::MulSub,
-            Op::Fused(Fused::NegMulAdd, ..) => Opcode::NegMulAdd,
+            Op::Unary(unary, _) => Opcode::Unary(unary),
+            Op::Binary(binary, ..) => Opcode::Binary(binary),
+            Op::Fused(fused, ..) => Opcode::Fused(fused),
             Op::IfZero(..) => Opcode::IfZero,
         }
     }

@@ -37,9 +37,6 @@ impl TapeFunction {
 
     /// Evaluates the function and writes each of the [`sections`](Self::sections) to its array, Jacobians by their
     /// entries. Only `observe` and `observe_jac` read `marker`.
-    ///
-    /// # Panics
-    /// If an argument or array is shorter than the function needs.
     pub fn eval(
         &self,
         at: At<'_>,

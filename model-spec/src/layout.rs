@@ -27,8 +27,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Layout {
     /// Names of the states, in state-vector order.
     pub states: Vec<String>,
-    /// Names of the parameters: known constants and scalar inputs, then coefficients, then components of vector inputs
-    /// (`wind_x`, …).
+    /// Names of the parameters: constants and scalar inputs, coefficients, components of vector inputs (`wind_x`, …).
     pub parameters: Vec<String>,
     /// Number of known constants and scalar inputs, which are the first entries of [`Layout::parameters`].
     pub params: usize,

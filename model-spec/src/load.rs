@@ -25,9 +25,6 @@ pub struct Loaded {
 /// Loads a model from a path or by the name of a built-in model; an existing file takes precedence. `with` lists the
 /// effects to apply, each by path or by name, as in [`ModelTree::find_effect`]: an effect of the model's file, a
 /// built-in effect, or an effect created from an equation `der(STATE) = …` of the model.
-///
-/// # Errors
-/// [`LoadError`] if a file is missing or any text has an error, unit errors included.
 pub fn load(name_or_path: &str, with: &[&str]) -> Result<Model, LoadError> {
     let (name, text) = model_text(name_or_path)?;
     from_text(&name, &text, with)
@@ -35,9 +32,6 @@ pub fn load(name_or_path: &str, with: &[&str]) -> Result<Model, LoadError> {
 
 /// Loads a model from text and applies the effects `with`; fails if any text has an error. Messages refer to the text
 /// as `name`. The files that the text names are read if `name` is the path of a file, beside it.
-///
-/// # Errors
-/// [`LoadError`] if an effect is missing or any text has an error, unit errors included.
 pub fn from_text(name: &str, text: &str, with: &[&str]) -> Result<Model, LoadError> {
     let loaded = inspect_text(name, text, with)?;
     match loaded.model {
@@ -51,9 +45,6 @@ pub fn from_text(name: &str, text: &str, with: &[&str]) -> Result<Model, LoadErr
 
 /// Loads a model and applies the effects `with`, as [`load`](load()) does, but returns the model's errors as
 /// [`Loaded::diagnostics`].
-///
-/// # Errors
-/// [`LoadError`] if the model or an effect is missing, or if the file of an effect has errors.
 pub fn inspect(name_or_path: &str, with: &[&str]) -> Result<Loaded, LoadError> {
     let (name, text) = model_text(name_or_path)?;
     inspect_text(&name, &text, with)
@@ -61,9 +52,6 @@ pub fn inspect(name_or_path: &str, with: &[&str]) -> Result<Loaded, LoadError> {
 
 /// Loads a model from text and applies the effects `with`, as [`from_text`] does, but returns the model's errors as
 /// [`Loaded::diagnostics`]. Messages refer to the text as `name`.
-///
-/// # Errors
-/// [`LoadError`] if an effect is missing or if the file of an effect has errors.
 pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, LoadError> {
     let (mut tree, mut diagnostics) = ModelTree::parse_with_faults(name, text);
     for wanted in with {

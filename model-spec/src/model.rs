@@ -17,7 +17,7 @@ pub use crate::location::Source;
 pub use cases::{CheckCase, Expectation, Observable, Target};
 pub use parts::{
     AppliedEffect, Claim, ClaimedAttitude, ClaimedRotation, Continuation, EffectUnknown, Function,
-    Interpolation, OfferedEffect, Table, TableArgument,
+    Interpolation, Table, TableArgument,
 };
 pub use system::{Balance, LinearSystem, Unknown};
 
@@ -72,8 +72,6 @@ pub struct Model {
     pub checks: Vec<CheckCase>,
     /// Applied effects, in order of application.
     pub effects: Vec<AppliedEffect>,
-    /// Effects declared in the model's file, whether applied or not.
-    pub offers: Vec<OfferedEffect>,
     /// The syntax tree that was checked, with the effects applied to it.
     pub tree: Arc<ast::File>,
 }
@@ -163,8 +161,7 @@ pub enum FrameKind {
         /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
         axis: u8,
     },
-    /// The parent frame rotated by an angle that is constant during a flight about the parent's axis `axis`, positive by
-    /// the right-hand rule.
+    /// The parent frame rotated about its axis `axis` by a constant angle, positive by the right-hand rule.
     Fixed {
         /// Index into [`Model::frames`] of the parent frame.
         parent: usize,
@@ -332,8 +329,6 @@ pub struct Clock {
     pub value: Expr,
     /// Source span of the `clock` statement.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced the declaration, if any.
-    pub effect: Option<usize>,
 }
 
 /// A condition that bounds the domain of validity: the model is valid only where `value > bound`.

@@ -10,9 +10,6 @@ use std::sync::Arc;
 use thiserror::Error;
 
 /// Reads the file of a model or of an effect as text.
-///
-/// # Errors
-/// [`LoadError`] if the file cannot be read, is too long or is not UTF-8.
 pub fn read(path: &str) -> Result<String, LoadError> {
     let unreadable = |error| LoadError::Unreadable {
         path: path.to_owned(),

@@ -3,8 +3,7 @@
 use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind};
 
 use crate::diagnostic::{self, Diagnostic, MAX_SHOWN};
-use crate::location::{Source, Span};
-use crate::location::{line_and_column, line_of};
+use crate::location::{Source, Span, line_and_column, line_of};
 
 const MAX_LINE_BYTES: usize = 300;
 

@@ -95,8 +95,8 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     if !model.checks.is_empty() {
         writeln!(out, "\nchecks in the file: {}", model.checks.len())?;
     }
-    let offers = model.offers.iter();
-    let offers = offers.map(|offer| format!("{}   {}", offer.name, first(&offer.doc)));
+    let offers = model.tree.effects();
+    let offers = offers.map(|offer| format!("{}   {}", offer.name.text, first(&offer.doc)));
     section(out, "effects that can be switched on", offers)?;
     effects(out, model)
 }

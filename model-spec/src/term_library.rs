@@ -39,8 +39,7 @@ use crate::index::IndexVec;
 use crate::index_type;
 use crate::location::Span;
 use crate::model::Model;
-use crate::read::LoadError;
-use crate::read::TERM_LIBRARIES;
+use crate::read::{LoadError, TERM_LIBRARIES};
 use crate::syntax::ast::{
     BinaryOp, Effect, EffectPart, Expr, ExprKind, Item, ItemKind, Name, Parameter, ParameterClass,
     Quantity, UnitExpr,

@@ -3,7 +3,7 @@
 use super::body::{Body, Step, input_element};
 use super::{Backend, SourceFile};
 use crate::compile::{Compiled, compile};
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::program::{Binary, Function, Fused, Op, Operand, Unary};
 use crate::tape_model::{At, Scratch, TapeModel};
 use model_spec::load;
@@ -167,8 +167,10 @@ fn op(body: &Body<'_>, op: &Op) -> String {
             };
             format!("{name}({})", v(a))
         }
-        Op::Binary(Binary::Atan2, a, b) => format!("atan2({}, {})", v(a), v(b)),
-        Op::Binary(Binary::Table(function), a, b) => {
+        Op::Binary(Binary::Call(BinaryFunction::Atan2), a, b) => {
+            format!("atan2({}, {})", v(a), v(b))
+        }
+        Op::Binary(Binary::Call(BinaryFunction::Table(function)), a, b) => {
             let bicubic = body
                 .function
                 .program
@@ -193,8 +195,8 @@ fn op(body: &Body<'_>, op: &Op) -> String {
                 rows.join(", ")
             )
         }
-        Op::Binary(Binary::Min, a, b) => format!("fmin({}, {})", v(a), v(b)),
-        Op::Binary(Binary::Max, a, b) => format!("fmax({}, {})", v(a), v(b)),
+        Op::Binary(Binary::Call(BinaryFunction::Min), a, b) => format!("fmin({}, {})", v(a), v(b)),
+        Op::Binary(Binary::Call(BinaryFunction::Max), a, b) => format!("fmax({}, {})", v(a), v(b)),
         Op::Binary(Binary::Add, a, b) => format!("({} + {})", v(a), v(b)),
         Op::Binary(Binary::Sub, a, b) => format!("({} - {})", v(a), v(b)),
         Op::Binary(Binary::Mul, a, b) => format!("({} * {})", v(a), v(b)),

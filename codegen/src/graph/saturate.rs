@@ -161,8 +161,7 @@ impl ExprGraph {
         })
     }
 
-    /// The sum `id`, and 2; or the sum of which the local symbol `id` is a power, and the doubled exponent. `None` for
-    /// other nodes.
+    /// The sum `id` and 2, or the sum of which the local symbol `id` is a power and the doubled exponent.
     fn power_of_sum(&self, id: NodeId) -> Option<(NodeId, i32)> {
         match *self.node(id) {
             Node::Sum(..) => Some((id, 2)),

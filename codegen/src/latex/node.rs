@@ -21,7 +21,7 @@ pub(crate) fn piece(
         Node::Call(MathFunction::Table(function), x) => {
             let table = &graph.tables().table(function.table()).name;
             // A prime for each order of the derivative.
-            let primes = "'".repeat(usize::from(function.order()));
+            let primes = "'".repeat(usize::from(function.orders()[0]));
             tree::table(name(table, Style::Scalar) + &primes, of(*x))
         }
         Node::Call(function, x) => tree::call(function.notation(), of(*x)),

@@ -124,8 +124,9 @@ fn axis(model: &Model, frame: usize, k: u8) -> Piece {
 
 pub(super) fn call2(function: BinaryFunction, a: Piece, b: Piece) -> Piece {
     let command = match function {
-        BinaryFunction::Atan2 => return Piece::operator("atan2", &[a, b]),
-        BinaryFunction::Table(_) => return Piece::operator("table", &[a, b]),
+        BinaryFunction::Atan2 | BinaryFunction::Table(_) => {
+            return Piece::operator(function.name(), &[a, b]);
+        }
         BinaryFunction::Min => r"\min",
         BinaryFunction::Max => r"\max",
     };

@@ -6,7 +6,7 @@ use crate::differentiate::partials;
 use crate::functions::{BinaryFunction, FunctionLowering, MathFunction};
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
-use crate::table::{SurfaceFunction, TableId};
+use crate::table::{TableFunction, TableId};
 use model_spec::layout::ParamId;
 use model_spec::model::{Body, Expr, ExprKind, Function as Named, Shape};
 
@@ -144,7 +144,7 @@ impl Lowering<'_> {
                 Value::Scalar(self.named(*function, x))
             }
             E::Lookup(index, a, b) => {
-                let table = SurfaceFunction::new(TableId::new(*index), [0, 0]);
+                let table = TableFunction::value_of(TableId::new(*index));
                 self.call2(BinaryFunction::Table(table), a, b)
             }
             E::Atan2(y, x) => self.call2(BinaryFunction::Atan2, y, x),

@@ -39,8 +39,7 @@ impl Lowering<'_> {
         dx
     }
 
-    /// Lowers `der(x) = v` in the inertial frame, and `m (der(v) + ω × v) = Σ F` in the rotating
-    /// `Body::velocity_frame`.
+    /// Lowers `der(x) = v` in the inertial frame and `m (der(v) + ω × v) = Σ F` in the rotating `Body::velocity_frame`.
     fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
         let model = self.model;
         let velocity = body
@@ -193,8 +192,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Solves for the second derivatives of the angles, rad/s², from the angular velocity and the rates of its
-    /// components.
+    /// Solves for the second derivatives of the angles, rad/s², from the angular velocity and its rates.
     fn rates(
         &mut self,
         rotation: &Rotation,

@@ -1,9 +1,9 @@
 //! Writing of the operations of a function body as Rust expressions.
 
 use super::names::ident;
-use super::scalar::Scalar;
-use super::scalar::{Binding, Expr};
+use super::scalar::{Binding, Expr, Scalar};
 use crate::backend::body::{Body, Input};
+use crate::functions::BinaryFunction;
 use crate::program::{Binary, Op, Operand, Unary};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -70,12 +70,12 @@ impl Writer<'_> {
                 self.scalar
                     .if_zero(first(condition), rest(then), rest(otherwise))
             }
-            Op::Binary(Binary::Atan2, a, b) => self.scalar.call("atan2", first(a), &[rest(b)]),
-            Op::Binary(Binary::Min, a, b) => self.scalar.call("min", first(a), &[rest(b)]),
-            Op::Binary(Binary::Max, a, b) => self.scalar.call("max", first(a), &[rest(b)]),
-            Op::Binary(Binary::Table(function), a, b) => {
+            Op::Binary(Binary::Call(BinaryFunction::Table(function)), a, b) => {
                 let tables = &self.body.function.program.tables;
                 self.scalar.lookup(function, first(a), rest(b), tables)
+            }
+            Op::Binary(Binary::Call(function), a, b) => {
+                self.scalar.call(function.name(), first(a), &[rest(b)])
             }
             Op::Binary(binary, a, b) => first(a).infix(binary, rest(b)),
         }

@@ -1,8 +1,7 @@
 //! Source text of a single generated function.
 
 use super::expression::Writer;
-use super::names::ident;
-use super::names::is_reserved;
+use super::names::{ident, is_reserved};
 use super::scalar::Scalar;
 use super::{print, signature, table_names};
 use crate::backend::body::{Body, Step, input_element};

@@ -23,8 +23,7 @@ pub(super) const CONSTANTS: [&str; 16] = [
     "SOURCE_HASH",
 ];
 
-/// Whether a name cannot be a local variable: no identifier, or that of an argument or item, which a `let` would match
-/// or shadow.
+/// Whether a name cannot be a local variable: no identifier, or an argument or item that a `let` would shadow.
 pub(super) fn is_reserved(name: &str) -> bool {
     parsed(name).is_none()
         || signature::is_argument(name)

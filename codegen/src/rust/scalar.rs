@@ -4,7 +4,7 @@ use super::names::ident;
 use super::{helpers, table_names};
 use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Unary};
-use crate::table::{SurfaceFunction, Tables};
+use crate::table::{TableFunction, Tables};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -81,7 +81,7 @@ impl Scalar {
     }
 
     /// Lookup of `a` and `b` in a table of two arguments.
-    pub fn lookup(self, function: SurfaceFunction, a: Expr, b: Expr, tables: &Tables) -> Expr {
+    pub fn lookup(self, function: TableFunction<2>, a: Expr, b: Expr, tables: &Tables) -> Expr {
         let [x, y, cells] = table_names::of_two(tables, function);
         let orders = function.orders().map(Literal::u8_unsuffixed);
         let arguments = [
@@ -208,9 +208,7 @@ impl Expr {
             Binary::Sub => (quote!(-), Binding::Sum, Binding::Product),
             Binary::Mul => (quote!(*), Binding::Product, Binding::Negation),
             Binary::Div => (quote!(/), Binding::Product, Binding::Negation),
-            Binary::Atan2 | Binary::Min | Binary::Max | Binary::Table(_) => {
-                unreachable!("a function, not an operator")
-            }
+            Binary::Call(_) => unreachable!("a function, not an operator"),
         };
         let (a, b) = (self.bound(binding), other.bound(right));
         Expr {

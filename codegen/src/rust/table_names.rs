@@ -1,8 +1,8 @@
 //! Names of the constants of a table in generated code, and the helper function that looks up a table.
 
-use crate::functions::MathFunction;
+use crate::functions::{BinaryFunction, MathFunction};
 use crate::program::{Binary, Function, Op, Unary};
-use crate::table::{SurfaceFunction, TableFunction, TableId, Tables};
+use crate::table::{TableFunction, TableId, Tables};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,7 +28,7 @@ pub(super) fn is_constant(name: &str) -> bool {
 pub(super) fn names(tables: &Tables, function: TableFunction) -> [Ident; 2] {
     let table = &tables.table(function.table()).name;
     let [knots, cubics] = ENDS;
-    let order = match function.order() {
+    let order = match function.orders()[0] {
         0 => String::new(),
         order => format!("_{order}"),
     };
@@ -48,16 +48,18 @@ pub(super) fn used_by(function: &Function) -> BTreeSet<TableFunction> {
 }
 
 /// Names of the knots of both arguments and of the cells.
-pub(super) fn of_two(tables: &Tables, function: SurfaceFunction) -> [Ident; 3] {
+pub(super) fn of_two(tables: &Tables, function: TableFunction<2>) -> [Ident; 3] {
     let table = &tables.table(function.table()).name;
     ENDS_OF_TWO.map(|end| format_ident!("{table}{end}"))
 }
 
 /// Tables of two arguments that a function looks up, each by one of the functions that use it.
-pub(super) fn surfaces_of(function: &Function) -> BTreeMap<TableId, SurfaceFunction> {
+pub(super) fn surfaces_of(function: &Function) -> BTreeMap<TableId, TableFunction<2>> {
     let statements = function.program.statements.iter();
     let used = statements.filter_map(|statement| match statement.op {
-        Op::Binary(Binary::Table(function), ..) => Some((function.table(), function)),
+        Op::Binary(Binary::Call(BinaryFunction::Table(function)), ..) => {
+            Some((function.table(), function))
+        }
         _ => None,
     });
     used.collect()

@@ -5,7 +5,7 @@ use super::print;
 use super::scalar::Scalar;
 use super::table_names::{names, of_two, surfaces_of, used_by};
 use crate::compile::Compiled;
-use crate::table::{PiecewiseCubic, SurfaceFunction, TableFunction, TableId, Tables};
+use crate::table::{PiecewiseCubic, TableFunction, TableId, Tables};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,7 +22,7 @@ pub(super) fn items(compiled: &Compiled, visibility: &TokenStream) -> TokenStrea
     let functions = compiled.functions();
     let tables = &compiled.f.program.tables;
     let surfaces = functions.iter().flat_map(|f| surfaces_of(f));
-    let surfaces: BTreeMap<TableId, SurfaceFunction> = surfaces.collect();
+    let surfaces: BTreeMap<TableId, TableFunction<2>> = surfaces.collect();
     for function in surfaces.into_values() {
         items.extend(of_surface(tables, function, visibility));
     }
@@ -67,7 +67,7 @@ fn knots(tables: &Tables, function: TableFunction, visibility: &TokenStream) -> 
 fn cubics(tables: &Tables, function: TableFunction, visibility: &TokenStream) -> TokenStream {
     let [_, name] = names(tables, function);
     let cubic: &PiecewiseCubic = tables.of(function);
-    let what = match function.order() {
+    let what = match function.orders()[0] {
         0 => format!("Table `{}`", tables.name(function)),
         1 => format!(
             "Derivative of the table `{}`",
@@ -88,7 +88,11 @@ fn cubics(tables: &Tables, function: TableFunction, visibility: &TokenStream) ->
 }
 
 /// Constants of a table of two arguments: knots of each, and cells.
-fn of_surface(tables: &Tables, function: SurfaceFunction, visibility: &TokenStream) -> TokenStream {
+fn of_surface(
+    tables: &Tables,
+    function: TableFunction<2>,
+    visibility: &TokenStream,
+) -> TokenStream {
     let table = tables.table(function.table());
     let bicubic = table.bicubic();
     let [x, y, cells] = of_two(tables, function);

@@ -1,5 +1,6 @@
 //! FMA contraction: merges a product whose only use is in a sum with that sum.
 
+use crate::functions::BinaryFunction;
 use crate::program::{Binary, Fused, Op, Operand, Program};
 
 /// Contracts products and sums to fused multiply-adds.
@@ -79,7 +80,7 @@ pub(super) fn latency(op: &Op) -> u32 {
     use crate::program::Unary;
     match op {
         Op::Binary(Binary::Div, ..) => 14,
-        Op::Binary(Binary::Atan2 | Binary::Table(_), ..) => 50,
+        Op::Binary(Binary::Call(BinaryFunction::Atan2 | BinaryFunction::Table(_)), ..) => 50,
         Op::Binary(..) | Op::Fused(..) | Op::IfZero(..) => 4,
         Op::Unary(unary, _) => match unary {
             Unary::Neg => 1,

@@ -193,7 +193,7 @@ impl Schedule<'_> {
             SsaDef::Recip(x) => self.unary(Unary::RecipOrZero, (false, *x), id),
             SsaDef::Call(function, x) => self.unary(Unary::Call(*function), *x, id),
             SsaDef::Call2(function, a, b) => {
-                let op = Op::Binary((*function).into(), self.signed(*a), self.signed(*b));
+                let op = Op::Binary(Binary::Call(*function), self.signed(*a), self.signed(*b));
                 self.finish(op, id)
             }
             SsaDef::IfZero(c, a, b) => {

@@ -227,7 +227,7 @@ impl Namer {
                     BinaryFunction::Atan2 => "angle",
                     BinaryFunction::Min => "min",
                     BinaryFunction::Max => "max",
-                    BinaryFunction::Table(function) => &graph.tables().surface_name(*function),
+                    BinaryFunction::Table(function) => &graph.tables().name(*function),
                 };
                 format!("{word}_{}_{}", inner(*a), inner(*b))
             }

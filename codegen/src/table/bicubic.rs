@@ -1,43 +1,8 @@
 //! Piecewise bicubic functions: tables of two arguments, as tensor products of the functions of one.
 
-use super::{PiecewiseCubic, TableFunction, TableId};
+use super::PiecewiseCubic;
 use lanes::Real;
 use model_spec::model::{self, TableArgument};
-
-/// A table of two arguments or one of its partial derivatives; encoded in two bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct SurfaceFunction(u16);
-
-impl SurfaceFunction {
-    /// Returns the function of a table (`orders` 0) or of its partial derivative of the given orders.
-    ///
-    /// # Panics
-    /// If an order exceeds [`TableFunction::LAST`], or the index exceeds 4095, far above the number of tables of a
-    /// model.
-    pub fn new(table: TableId, orders: [u8; 2]) -> SurfaceFunction {
-        assert!(orders.iter().all(|&order| order <= TableFunction::LAST));
-        let [first, second] = orders.map(usize::from);
-        let code = (table.index() << 4) | (first << 2) | second;
-        SurfaceFunction(u16::try_from(code).expect("few tables"))
-    }
-
-    /// Index of the table whose value or derivative this function is.
-    pub fn table(self) -> TableId {
-        TableId::new(usize::from(self.0 >> 4))
-    }
-
-    /// Orders of the derivative by each argument; 0 for the value of the table.
-    pub fn orders(self) -> [u8; 2] {
-        [(self.0 >> 2 & 3) as u8, (self.0 & 3) as u8]
-    }
-
-    /// Partial derivative of this function by the argument 0 or 1; `None` if it is identically zero.
-    pub fn derivative(self, argument: usize) -> Option<SurfaceFunction> {
-        let mut orders = self.orders();
-        orders[argument] += 1;
-        (orders[argument] <= TableFunction::LAST).then(|| Self::new(self.table(), orders))
-    }
-}
 
 /// A piecewise bicubic function, given by the knots of both arguments and by the coefficients of each cell.
 #[derive(Clone, Debug, PartialEq)]

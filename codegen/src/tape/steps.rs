@@ -35,8 +35,7 @@ pub(super) struct Steps {
 }
 
 impl Steps {
-    /// Translates the statements of a program to steps and reorders the steps, so that many consecutive ones have the
-    /// same operation code.
+    /// Translates the statements of a program to steps, ordered so that many consecutive ones have the same opcode.
     pub(super) fn new(program: &Program) -> Steps {
         let mut values = Values::new(program.statements.len());
         let steps = in_program_order(program, &mut values);

@@ -18,18 +18,18 @@ fn main() {
     let (x, p) = point.split_at(states);
 
     let bound = compiled.bind(p.to_vec());
-    let directions = |count| (0..count).collect::<Vec<usize>>();
-    let (initial, parameters) = (directions(states), directions(p.len()));
-    let rhs = bound.rhs();
-    let mut both = Sensitivities::new(rhs, &initial, &parameters).with_sensitivity_error_control();
+    let (columns, parameters) = (states + p.len(), (0..p.len()).collect::<Vec<usize>>());
+    let mut rhs = bound.rhs();
+    let mut both = Sensitivities::new(&mut rhs, states, &parameters);
+    let unit: Vec<_> = (0..states).map(|state| (state, state, 1.0)).collect();
     let (start, options) = (
-        both.initial_state(x),
+        both.initial_state(x, &unit),
         IntegrationOptions::with_tolerance(1e-13),
     );
     let end = integrate_to_end(&mut both, (0.0, &start), seconds, &options, &mut []);
     let end = end.expect("a flight").state;
-    for (k, value) in both.state(end.as_ref()).iter().enumerate() {
-        let row = both.row(end.as_ref(), k).iter();
+    for (k, value) in both.layout().state(end.as_ref()).iter().enumerate() {
+        let row = both.layout().padded_row(end.as_ref(), k)[..columns].iter();
         let row: Vec<String> = row.map(|entry| format!("{entry:?}")).collect();
         println!("{value:?} {}", row.join(" "));
     }

@@ -71,12 +71,12 @@ impl LaneModel {
         self.is_generated
     }
 
-    /// Integrates all flights of `queue` with [`ode::fly`] to the end in `span`, and returns the number of vectorized
+    /// Integrates all flights of `queue` with [`ode::fly_on`] to the end in `span`, and returns the number of vectorized
     /// evaluations. `isa` is the instruction set, or `None` for the widest; 0, without integrating, if the processor
     /// lacks it.
     ///
     /// # Panics
-    /// Under the conditions for which [`ode::fly`] panics.
+    /// Under the conditions for which [`ode::fly_on`] panics.
     pub fn fly(
         &self,
         queue: &mut dyn FlightQueue,

@@ -9,8 +9,7 @@ pub enum Isa {
     Avx512,
     /// Four lanes with the instruction sets AVX2 and FMA; multiply-adds are fused (rounded once).
     Avx2,
-    /// Four lanes in an array, vectorized by the compiler. Multiply-adds are not fused, so that results are
-    /// bit-identical on every machine.
+    /// Four lanes in an array, vectorized by the compiler; multiply-adds are not fused, for equal bits everywhere.
     Portable,
     /// One lane, an `f64`; multiply-adds are not fused.
     Scalar,

@@ -19,7 +19,6 @@ pub trait Kernel {
 ///
 /// `run` and its callees should be `#[inline(always)]`; otherwise they are compiled for the baseline processor.
 pub trait ScalarKernel {
-    /// Runs the computation on numbers of type `T`: a type with fused multiply-add if the processor supports it, else
-    /// `f64`.
+    /// Runs the computation on a type with fused multiply-add if the processor supports it, else on `f64`.
     fn run<T: ScalarLane>(self);
 }

@@ -7,8 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// `run` and all its callees over `T` must be `#[inline(always)]`, as in a [`Kernel`](crate::Kernel).
 pub trait LaneKernel<T> {
-    /// Runs the computation. [`Lanes::outlined`](crate::Lanes::outlined) calls this method in a function that is not
-    /// inlined.
+    /// Runs the computation, in a function of its own by [`Lanes::outlined`](crate::Lanes::outlined).
     fn run(self);
 }
 

@@ -146,21 +146,12 @@ pub trait Lanes: Real {
     /// Number of lanes.
     const WIDTH: usize;
     /// Loads the first `WIDTH` numbers of a slice.
-    ///
-    /// # Panics
-    /// If the slice is shorter than `WIDTH`.
     fn load(from: &[f64]) -> Self;
     /// Stores the lanes into the first `WIDTH` elements of a slice.
-    ///
-    /// # Panics
-    /// If the slice is shorter than `WIDTH`.
     fn store(self, to: &mut [f64]);
     /// Returns a number with `value(lane)` in each lane, lanes counted from 0.
     fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
     /// Returns the value in one lane, counted from 0.
-    ///
-    /// # Panics
-    /// If `lane >= WIDTH`.
     fn lane(self, lane: usize) -> f64;
     /// Runs a computation in a separate function that is not inlined, compiled once for the instruction set of these
     /// lanes: for large code that a [`Kernel`](crate::Kernel) uses in several places.

@@ -75,8 +75,7 @@ impl ScalarIsa {
     }
 }
 
-/// Runs a scalar kernel (computation on single numbers), compiled for the widest supported instruction set that is not
-/// wider than [`Isa::best`].
+/// Runs a scalar kernel, compiled for the widest instruction set that is not wider than [`Isa::best`].
 #[inline(always)]
 pub(crate) fn run_scalar<K: ScalarKernel>(kernel: K) {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]

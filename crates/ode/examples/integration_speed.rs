@@ -49,16 +49,13 @@ impl DifferentiableRhs for Entries {
 }
 
 fn sensitivities() {
-    let entries = Entries(
+    let mut entries = Entries(
         std::array::from_fn(|i| (i * 12 / 55, i * 5 % 12)),
         std::array::from_fn(|i| (3 + i % 9, i / 5)),
     );
-    let mut both = Sensitivities::new(
-        entries,
-        &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11],
-        &[0, 1, 2, 3, 4, 5, 6, 7],
-    );
-    let start = both.initial_state(&disc::THROW);
+    let mut both = Sensitivities::new(&mut entries, 12, &[0, 1, 2, 3, 4, 5, 6, 7]);
+    let unit: [_; 12] = std::array::from_fn(|state| (state, state, 1.0));
+    let start = both.initial_state(&disc::THROW, &unit);
     let times: Vec<f64> = (0..=180).map(|i| f64::from(i) / 120.0).collect();
     let mut samples = vec![0.0; both.len() * times.len()];
     for tolerance in [1e-4, 1e-6] {

@@ -42,8 +42,7 @@ impl DenseOutput<'_> {
         }
     }
 
-    /// Component `i` of the state at the fraction `s` of the step; bit-identical to [`state`](Self::state) for states
-    /// shorter than [`MIN_SIMD_LEN`].
+    /// Component `i` of the state at the fraction `s`, with the bits of [`state`](Self::state) of a short state.
     pub(crate) fn component(&self, s: f64, i: usize) -> f64 {
         let weights = self.method.weights(s, self.h);
         let mut sum = self.rows[0][i];
@@ -54,8 +53,7 @@ impl DenseOutput<'_> {
     }
 }
 
-/// Accepted step with the states and time derivatives at its start and end, interpolated by the cubic Hermite
-/// polynomial.
+/// Accepted step with the states and rates at its ends, interpolated by the cubic Hermite polynomial.
 pub(crate) struct HermiteStep<'a, X> {
     pub t: f64,
     pub h: f64,

@@ -274,8 +274,7 @@ fn dip(value: &mut impl FnMut(f64) -> f64, mut low: f64, mut high: f64) -> Optio
     None
 }
 
-/// Minimum over a step of the cubic with the values and the scaled derivatives `ends` at its ends, in the order of
-/// [`HermiteStep::ends`].
+/// Minimum over a step of the cubic with the values and scaled derivatives `ends`, as of [`HermiteStep::ends`].
 #[inline(always)]
 pub(crate) fn cubic_minimum(ends: (f64, f64, f64, f64)) -> f64 {
     let (a, b, da, db) = ends;

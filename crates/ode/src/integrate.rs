@@ -15,9 +15,6 @@ const RESERVED_STEPS: usize = 64;
 /// Integrates from the time `start.0` and the state `start.1` to the time `t_end`, or to the first terminal event,
 /// and returns the trajectory with its dense output.
 ///
-/// # Errors
-/// [`IntegrationError`] if the integration fails; its `cause` is the return code.
-///
 /// ```
 /// use ode::{Event, IntegrationOptions, integrate, rhs_from_fn};
 ///
@@ -87,9 +84,6 @@ pub fn integrate_to_event<D: OdeRhs>(
 
 /// Integrates from the time `start.0` and the state `start.1` to the time `t_end`, or to the first terminal event.
 /// Returns only the final state and the events; dense output is not stored.
-///
-/// # Errors
-/// [`IntegrationError`] if the integration fails; its `cause` is the return code.
 pub fn integrate_to_end<D: OdeRhs>(
     rhs: &mut D,
     start: (f64, &D::State),
@@ -102,9 +96,6 @@ pub fn integrate_to_end<D: OdeRhs>(
 
 /// Integrates to the last of `times` (non-decreasing, not before the initial time) and writes the states at these
 /// times, concatenated, to `states`. Times past a terminal event get the state at the event.
-///
-/// # Errors
-/// [`IntegrationError`] if the integration fails; its `cause` is the return code.
 ///
 /// # Panics
 /// If the length of `states` is not the number of times multiplied by the state length, or `times` decrease or begin
@@ -134,9 +125,6 @@ pub fn integrate_at<D: OdeRhs>(
 ///
 /// Only the state components in `ranges` are computed; other components of the state that `callback` receives
 /// are not valid. If the integration fails, `callback` may already have been called for some of the output times.
-///
-/// # Errors
-/// [`IntegrationError`] if the integration fails; its `cause` is the return code.
 ///
 /// # Panics
 /// If `times` decrease or begin before the initial time, or a range exceeds the state length.

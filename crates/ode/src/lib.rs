@@ -10,7 +10,7 @@
 //!   makes the integration fail.
 //! - **Sensitivities**: [`Sensitivities`] integrates ∂x/∂x₀ and ∂x/∂p together with x, from a
 //!   [`DifferentiableRhs`] with sparse Jacobians ∂f/∂x and ∂f/∂p.
-//! - **Batches**: [`fly`] integrates many initial value problems ("flights"), one per SIMD lane, each with its own step
+//! - **Batches**: [`fly_on`] integrates many initial value problems ("flights"), one per SIMD lane, each with its own step
 //!   sizes and events.
 //!
 //! ```
@@ -49,7 +49,7 @@ mod trajectory;
 
 pub use aligned::AlignedVec;
 pub use batch::{
-    FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes, fly, fly_on,
+    FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes, fly_on,
     fly_on_widest,
 };
 pub use error::{IntegrationError, IntegrationFailure};

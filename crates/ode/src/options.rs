@@ -69,7 +69,6 @@ pub struct SolverStats {
     pub steps: usize,
     /// Number of steps rejected by the error test or by a non-finite derivative.
     pub rejected: usize,
-    /// Number of evaluations of the right-hand side by steps and dense output; evaluations by event location are not
-    /// counted.
+    /// Number of evaluations of the right-hand side by steps and dense output, without those of event location.
     pub evaluations: usize,
 }

@@ -2,8 +2,7 @@
 
 use std::borrow::Cow;
 
-/// State vector of an initial value problem: `[f64; N]` for a length known at compile time, `Box<[f64]>` or
-/// `Vec<f64>` otherwise.
+/// State vector of an initial value problem: `[f64; N]`, or `Box<[f64]>` or `Vec<f64>` of any length.
 pub trait StateVector: Clone + AsRef<[f64]> + AsMut<[f64]> {}
 
 impl<X: Clone + AsRef<[f64]> + AsMut<[f64]>> StateVector for X {}

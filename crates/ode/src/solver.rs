@@ -30,8 +30,7 @@ pub struct Endpoint<X> {
 pub(crate) trait StepObserver {
     /// Whether the observer needs dense output for the step from `t` to `t_end`.
     fn needs_dense_output(&self, t: f64, t_end: f64) -> bool;
-    /// Receives the dense output of an accepted step. Times after `until` must be ignored: a terminal event occurred at
-    /// `until`.
+    /// Receives the dense output of an accepted step; times after `until`, a terminal event, must be ignored.
     fn on_step(&mut self, step: DenseOutput<'_>, until: f64);
 }
 
@@ -197,8 +196,7 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
         }
     }
 
-    /// Tries a step and returns its error norm; NaN if the state or the derivative at the end of the step is not
-    /// finite.
+    /// Tries a step and returns its error norm; NaN if state or derivative at its end is not finite.
     #[inline(always)]
     fn try_step(&mut self, end: StepEnd) -> f64 {
         let (stepper, tolerance) = (&mut self.stepper, &self.tolerance);

@@ -11,8 +11,7 @@ const SAFETY: f64 = 0.9;
 /// Without this bound, a nearly zero error norm would make the updated step size too small.
 const MIN_REMEMBERED_ERROR: f64 = 1e-4;
 
-/// Constants of a proportional-integral step-size controller (Hairer & Wanner, IV.2), which computes the next step size
-/// from the error norms of the last two steps.
+/// Constants of a proportional-integral step-size controller (Hairer & Wanner, IV.2).
 #[derive(Clone, Copy)]
 pub(crate) struct PiGains {
     proportional_exponent: f64,
@@ -24,8 +23,7 @@ pub(crate) struct PiGains {
 #[derive(Clone, Copy)]
 pub(crate) struct PiMemory {
     pub log2_last_error: f64,
-    /// Maximum ratio of the next step size to the current step size: 1 after a rejected step, else the upper bound of
-    /// the method.
+    /// Maximum ratio of the next step size to the current: 1 after a rejected step, else the bound of the method.
     pub max_factor: f64,
 }
 
@@ -76,8 +74,7 @@ impl PiGains {
     }
 }
 
-/// Initial step size from estimates of the first and second derivatives of the state (Hairer, Nørsett & Wanner, II.4),
-/// limited to `max_step`.
+/// Initial step size by estimates of the first two derivatives (Hairer, Nørsett & Wanner, II.4), up to `max_step`.
 pub(crate) fn initial_step<D: OdeRhs>(
     rhs: &mut D,
     t: f64,
@@ -123,8 +120,7 @@ pub(crate) fn first_step(state_norm: f64, rate_norm: f64, max_step: f64) -> f64 
     .min(max_step)
 }
 
-/// Initial step size from the norms of the first and second time derivatives of the state, limited to 100 times the
-/// trial Euler step and to `max_step`.
+/// Initial step size from norms of the first two derivatives, up to 100 times the Euler step and `max_step`.
 #[inline(always)]
 pub(crate) fn second_step(
     euler_step: f64,

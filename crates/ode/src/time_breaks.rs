@@ -7,8 +7,7 @@ fn margin(time_break: f64) -> f64 {
     32.0 * f64::EPSILON * time_break.abs().max(1.0)
 }
 
-/// Time at which the last step of a segment that begins at `t` ends: just before the next of the increasing `breaks`,
-/// or at `t_end`.
+/// End of the last step of a segment from `t`: just before the next of the increasing `breaks`, or `t_end`.
 pub(crate) fn segment_end(breaks: &[f64], t: f64, t_end: f64) -> f64 {
     let next = breaks.partition_point(|time| time - margin(*time) <= t);
     let before = breaks.get(next).map(|time| time - margin(*time));

@@ -2,8 +2,7 @@
 //! matrices in the vector tree.
 
 use crate::attitude::{Quaternion, unit};
-use crate::physical::solve;
-use crate::physical::{Motion, Physical};
+use crate::physical::{Motion, Physical, solve};
 use crate::scalar::{Dual, Real};
 use model_spec::model::{FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};
@@ -63,8 +62,7 @@ pub struct PhysicalRate {
 }
 
 impl Chart {
-    /// Coordinate chart given by the body declaration of a model; `None` if the model has no body or its sequence of
-    /// rotations is not supported.
+    /// Coordinate chart of the declared body; `None` without one or if its sequence of rotations is not supported.
     pub fn declared(model: &Model) -> Option<Self> {
         let body = model.body.as_ref()?;
         let mut chart = Self {
@@ -303,8 +301,7 @@ pub(crate) fn defaults(model: &Model) -> Vec<f64> {
     model.states.iter().map(|s| s.value).collect()
 }
 
-/// Indices of the frames in the chain from the inertial frame, through the parents of `frame`, to `frame`, both ends
-/// included.
+/// Indices of the frames from the inertial frame through the parents of `frame` to `frame`, both included.
 fn chain(model: &Model, frame: usize) -> Vec<usize> {
     match model.frames[frame].kind {
         FrameKind::Inertial => vec![frame],

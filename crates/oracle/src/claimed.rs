@@ -3,8 +3,7 @@
 //! momentum. All vectors are in inertial components.
 
 use crate::attitude::{Quaternion, unit};
-use crate::physical::Physical;
-use crate::physical::inertia_in_n;
+use crate::physical::{Physical, inertia_in_n};
 use crate::point::Point;
 use crate::scalar::{Dual, Real};
 use crate::tree::Tree;
@@ -28,12 +27,10 @@ pub struct ClaimedBody<T> {
     pub turning: Option<Turning<T>>,
 }
 
-/// Rotational motion of the body that a model claims to describe, for one set of values of states and parameters, in
-/// inertial components.
+/// Rotational motion of the claimed body at a point, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning<T> {
-    /// Axes, as columns, of the body-fixed frame or, for a body of revolution, of a frame that contains the axis of
-    /// revolution.
+    /// Axes, as columns, of the body-fixed frame or of a frame that contains the axis of revolution.
     pub axes: Matrix3<T>,
     /// Axis of revolution (1, 2 or 3) if only this axis moves with the body; `None` if the whole frame does.
     pub axis: Option<u8>,
@@ -75,16 +72,14 @@ impl BalanceLaw {
 pub struct Balance<T> {
     /// Law of motion whose sides are given.
     pub law: BalanceLaw,
-    /// Left-hand side of the law of motion: rate of change of the position, an axis, the momentum or the angular
-    /// momentum, in SI units.
+    /// Left-hand side of the law: rate of change of the position, an axis, the momentum or the angular momentum, SI.
     pub change: Vector3<T>,
     /// Right-hand side of the law of motion: the cause of the change, such as the force, in SI units.
     pub cause: Vector3<T>,
 }
 
 impl<T: Real> ClaimedBody<T> {
-    /// Evaluates the quantities of the body that a model claims to describe; `tree` is the model evaluated at a point.
-    /// `None` if the model makes no such claim.
+    /// Evaluates the quantities of the claimed body; `tree` is the model at a point. `None` without a claim.
     pub fn of(tree: &Tree<'_, T>) -> Option<Self> {
         let claim = tree.model.claim.as_ref()?;
         Some(Self {
@@ -168,8 +163,7 @@ impl ClaimedBody<f64> {
 }
 
 impl<T: Real> ClaimedBody<Dual<T>> {
-    /// Both sides of every law of motion of the body; the derivatives of the dual numbers must be those with respect to
-    /// time.
+    /// Both sides of every law of motion of the body; the derivatives must be those by time.
     pub fn balances(&self) -> Vec<Balance<T>> {
         let derivative = |v: &Vector3<Dual<T>>| v.map(|d| d.derivative);
         let value = |v: &Vector3<Dual<T>>| v.map(|d| d.value);

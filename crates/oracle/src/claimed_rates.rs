@@ -16,16 +16,13 @@ const RANK: f64 = 1e-10;
 /// Bound on the components of an undetermined combination of state rates (a singular vector with singular value 0). A
 /// state with a component of greater absolute value counts as undetermined, even if rounding causes the component.
 const FREE: f64 = 1e-12;
-/// Residual of a law of motion above which the law counts as unsatisfied, relative to the sum of the absolute values of
-/// the law's terms.
+/// Residual above which a law of motion counts as unsatisfied, relative to the sum of the magnitudes of its terms.
 const RESIDUAL: f64 = 1e-10;
 
-/// Rates of a model's states at one point, as implied by the laws of motion of the body that the model claims to
-/// describe.
+/// Rates of a model's states at one point, as implied by the laws of motion of the claimed body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimedRates {
-    /// Derivative of each state with respect to true time, in contrast to recorded time; `None` if the laws do not
-    /// determine it.
+    /// Derivative of each state by true, not recorded time; `None` if the laws do not determine it.
     pub rates: Vec<Option<ErrorBound>>,
     /// Laws of motion that no rates of the states satisfy. Each comes with its residual, divided by the sum of the
     /// absolute values of the law's terms; of the components of a law, the greatest ratio counts.
@@ -84,8 +81,7 @@ impl System {
                 row[state] = *change;
             }
         }
-        // At least as many rows as columns, so that the singular vectors include the directions that the laws leave
-        // free.
+        // At least as many rows as columns, so that the singular vectors include the free directions.
         while system.a.len() < count {
             system.a.push(vec![ErrorBound::zero(); count]);
             system.b.push(ErrorBound::zero());

@@ -4,8 +4,7 @@
 use crate::attitude::Quaternion;
 use crate::error::Unsupported;
 use crate::frames::{ElementaryRotation, PlacedFrame, elementary_rotations};
-use crate::physical::{MassProperties, Motion};
-use crate::physical::{angular_acceleration, inertia_in_n, solve};
+use crate::physical::{MassProperties, Motion, angular_acceleration, inertia_in_n, solve};
 use crate::point::Point;
 use crate::scalar::{Field, Real};
 use crate::tree::Tree;
@@ -17,8 +16,7 @@ pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, U
     derivatives_of(&Tree::new(model, point))
 }
 
-/// Computes the derivative of every state of the model that `tree` has evaluated, at the point of this evaluation. The
-/// derivatives are with respect to recorded time.
+/// Derivatives of all states by recorded time, at the point of the evaluated `tree`.
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
     let mut out = match &model.body {
@@ -167,8 +165,7 @@ fn quaternion_rates<T: Field>(
     Ok(())
 }
 
-/// Writes the time derivatives of all frame angles, and those of the rates of the body's three attitude angles, to
-/// `out`.
+/// Writes the time derivatives of all frame angles, and of the rates of the body's three angles, to `out`.
 fn angle_rates<T: Field>(
     model: &Model,
     rotation: &Rotation,

@@ -116,8 +116,7 @@ pub fn elementary_rotations<T: Field>(
     }
 }
 
-/// Axes, as columns in components of the parent frame, of a frame rotated about axis 1, 2 or 3; `s` and `c` are the
-/// sine and cosine of the angle.
+/// Axes, as columns in the parent frame, of a frame rotated about an axis; `s` and `c`: sine and cosine of the angle.
 fn rotated<T: Field>(axis: u8, s: T, c: T) -> Matrix3<T> {
     let (o, l) = (T::zero(), T::one());
     match axis {

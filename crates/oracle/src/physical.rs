@@ -63,8 +63,7 @@ pub struct Motion<T> {
 }
 
 impl<T: Real> Motion<T> {
-    /// Forces, moments and accelerations of a body in the physical state `at` under `load`; the inertia is given in the
-    /// body frame.
+    /// Forces, moments and accelerations of a body at `at` under `load`; the inertia is given in the body frame.
     pub fn under(load: Load<T>, properties: &MassProperties<T>, at: &Physical<T>) -> Self {
         let Load { force, moment } = load;
         let omega = at.angular_velocity;
@@ -88,8 +87,7 @@ pub fn solve<T: Field>(a: &Matrix3<T>, b: &Vector3<T>) -> Vector3<T> {
     Vector3::new(b.dot(&q.cross(&r)), p.dot(&b.cross(&r)), p.dot(&q.cross(b))) / determinant
 }
 
-/// Converts an inertia tensor to inertial components. The columns of `axes` are the axes of the frame in which
-/// `inertia` is given.
+/// Converts an inertia tensor to inertial components from the frame whose axes are the columns of `axes`.
 pub fn inertia_in_n<T: Field>(axes: &Matrix3<T>, inertia: &Matrix3<T>) -> Matrix3<T> {
     axes * inertia * axes.transpose()
 }

@@ -13,8 +13,7 @@ pub struct Point<T> {
     pub params: Vec<T>,
     /// Values of the model's coefficients, in the order of [`Model::coefficients`].
     pub coefficients: Vec<T>,
-    /// Values of the model's inputs, in the order of [`Model::inputs`]. Each consists of the components in the frame in
-    /// which the model declares the input.
+    /// Values of the inputs, in the order of [`Model::inputs`], with components in their declared frames.
     pub inputs: Vec<Vector3<T>>,
     /// Values of the model's states, in the order of [`Model::states`].
     pub states: Vec<T>,

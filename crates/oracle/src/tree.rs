@@ -172,9 +172,6 @@ impl<'a, T: Real> Tree<'a, T> {
     }
 
     /// Evaluates a scalar expression of the model at the point.
-    ///
-    /// # Panics
-    /// If the expression is a vector, which the language checker excludes.
     pub fn scalar(&self, e: &Expr) -> T {
         match self.value(e) {
             Value::Scalar(s) => s,
@@ -183,9 +180,6 @@ impl<'a, T: Real> Tree<'a, T> {
     }
 
     /// Evaluates a vector expression of the model at the point, in inertial components.
-    ///
-    /// # Panics
-    /// If the expression is a scalar, which the language checker excludes.
     pub fn vector(&self, e: &Expr) -> Vector3<T> {
         match self.value(e) {
             Value::Vector(v) => v,
@@ -200,8 +194,7 @@ impl<'a, T: Real> Tree<'a, T> {
             .fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value))
     }
 
-    /// Seconds of true time per second of recorded time at the point; 1 if the model does not declare that the two
-    /// rates differ.
+    /// Seconds of true time per second of recorded time at the point; 1 unless the model declares a clock.
     pub fn clock(&self) -> T {
         let stated = self.model.clock.as_ref();
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))

@@ -1,16 +1,14 @@
 //! Evaluates programs of the compiler with any scalar type of the oracle.
 
-use codegen::Compiled;
-use codegen::functions::MathFunction;
+use codegen::functions::{BinaryFunction, MathFunction};
 use codegen::program::{Binary, Function, Fused, Op, Operand, Program, Unary};
-use codegen::table::{SurfaceFunction, Tables};
-use codegen::tape;
+use codegen::table::{TableFunction, Tables};
+use codegen::{Compiled, tape};
 use num_traits::Zero;
 use oracle::Point;
 use oracle::scalar::{Big, Elementary, ErrorBound, Field, Real, with_numbers};
 
-/// Inputs of a compiled program at a point, in the order of the compiled model's variables: time, states, parameters,
-/// marker position.
+/// Inputs of a compiled program at a point, in the order of the compiled model's variables.
 pub struct Inputs<T> {
     pub time: T,
     pub states: Vec<T>,
@@ -74,7 +72,7 @@ pub trait Arithmetic: Real {
     }
 
     /// Value of a table of two arguments at (`self`, `other`), or of its derivative.
-    fn looked_up(self, other: Self, function: SurfaceFunction, tables: &Tables) -> Self {
+    fn looked_up(self, other: Self, function: TableFunction<2>, tables: &Tables) -> Self {
         let bicubic = tables.table(function.table()).bicubic();
         let ([x, y], cell) = bicubic.piece([self.re(), other.re()], function.orders());
         let (h, k) = (self - Self::lit(x), other - Self::lit(y));
@@ -160,10 +158,10 @@ fn step<T: Arithmetic>(tables: &Tables, op: Op, value: impl Fn(Operand) -> T) ->
                 Binary::Sub => a - b,
                 Binary::Mul => a * b,
                 Binary::Div => a / b,
-                Binary::Atan2 => a.atan2(b),
-                Binary::Table(function) => a.looked_up(b, function, tables),
-                Binary::Min => a.least(b),
-                Binary::Max => a.greatest(b),
+                Binary::Call(BinaryFunction::Atan2) => a.atan2(b),
+                Binary::Call(BinaryFunction::Table(function)) => a.looked_up(b, function, tables),
+                Binary::Call(BinaryFunction::Min) => a.least(b),
+                Binary::Call(BinaryFunction::Max) => a.greatest(b),
             }
         }
         Op::Fused(op, a, b, c) => {
@@ -194,8 +192,7 @@ pub fn exponential_overflows(compiled: &Compiled, point: &Point<f64>) -> bool {
     })
 }
 
-/// Minimum distance of an argument from a branch point, relative to the magnitude of its terms, at which rounding
-/// decides nothing.
+/// Minimum distance from a branch point, relative to the magnitude of the terms, at which rounding decides nothing.
 const BRANCH_DISTANCE: f64 = 1e-9;
 
 /// Quantity that is 0 at the branch point of an operation and changes sign there; `None` without branches.
@@ -212,7 +209,9 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
             MathFunction::Asin => Some((T::one() - of(a)) * (T::one() + of(a))),
             _ => None,
         },
-        Op::Binary(Binary::Min | Binary::Max, a, b) => Some(of(a) - of(b)),
+        Op::Binary(Binary::Call(BinaryFunction::Min | BinaryFunction::Max), a, b) => {
+            Some(of(a) - of(b))
+        }
         _ => None,
     }
 }

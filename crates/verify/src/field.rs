@@ -95,8 +95,7 @@ pub fn surface(fingerprint: u64, orders: [u8; 2], [a, b]: [Prime; 2]) -> Prime {
     symbol(tag, &[Prime::new(fingerprint), a, b])
 }
 
-/// Element for a numeric literal: the rational number that rounds to it, or a rational multiple of the symbol of π, or
-/// a symbol of its bits.
+/// Element for a literal: the rational number that rounds to it, a rational multiple of π, or a symbol of its bits.
 pub fn literal(c: f64) -> Prime {
     let number = |c: f64| symbol(3, &[Prime::new(c.to_bits())]);
     constant(c)

@@ -1,7 +1,6 @@
 //! Physical meaning of the states of a model, given by a chart or by the claimed body.
 
-use crate::subject::Bounded;
-use crate::subject::Subject;
+use crate::subject::{Bounded, Subject};
 use model_spec::model::{ClaimedAttitude, FrameKind, Model};
 use nalgebra::{DMatrix, DVector, Vector3};
 use oracle::scalar::{ErrorBound, Real};
@@ -39,8 +38,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Axis of revolution (1, 2 or 3) of the claimed body: that of the rotation from the frame of the inertia to the
-    /// body-fixed frame.
+    /// Axis of revolution (1, 2 or 3) of the claimed body, which turns the frame of its inertia to the body frame.
     pub fn axis_of_revolution(&self) -> Option<u8> {
         let Self::Claim(model) = self else {
             return None;
@@ -68,8 +66,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Rate of the physical state for rates of the states with respect to true time; `pace`: flight time per recorded
-    /// time.
+    /// Rate of the physical state for rates of the states by true time; `pace`: flight time per recorded time.
     pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
         match self {
             Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),

@@ -24,8 +24,7 @@ impl Default for Options {
     }
 }
 
-/// Maximum rounding error in f64, relative to the sum of the magnitudes of the terms; flights have tolerances of their
-/// own.
+/// Maximum rounding error in f64, relative to the sum of the magnitudes of the terms, except of flights.
 pub const TOLERANCE: f64 = 1e-12;
 
 /// Maximum allowed error, ulp of the magnitude: 128 rounding errors of half a unit with the same sign.

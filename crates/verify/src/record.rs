@@ -81,9 +81,6 @@ pub enum RecordError {
 
 impl Record {
     /// Parses the JSON of a verification.
-    ///
-    /// # Errors
-    /// [`RecordError`] if the text is too long, is not JSON of this form or has another schema.
     pub fn parse(text: &str) -> Result<Self, RecordError> {
         if text.len() as u64 > MAX_BYTES {
             return Err(RecordError::TooLong);
@@ -95,8 +92,7 @@ impl Record {
         Ok(record)
     }
 
-    /// Describes each hash and verdict of the later verification `now` that differs, and each model or check that only
-    /// one of them has.
+    /// Describes each hash and verdict that differs in `now`, and each model or check that only one record has.
     pub fn differences(&self, now: &Self) -> Vec<String> {
         let mut out = Vec::new();
         for model in &self.models {

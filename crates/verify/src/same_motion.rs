@@ -2,9 +2,7 @@
 
 use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
-use crate::row::plain_table;
-use crate::row::rate_differences;
-use crate::row::{Row, Verdict, Worst};
+use crate::row::{Row, Verdict, Worst, plain_table, rate_differences};
 use crate::sample;
 use crate::subject::Subject;
 use serde::Serialize;

@@ -87,8 +87,7 @@ fn moved(model: &Model, point: &Point<f64>, part: f64, random: &mut Random) -> O
     Some(best)
 }
 
-/// Sum over the validity limits of the distance by which a point is outside, relative to the limit; of the margin of
-/// [`within_limits`], `part` counts.
+/// Sum over the validity limits of the relative distance outside; of the margin of [`within_limits`], `part` counts.
 fn shortfall(model: &Model, point: &Point<f64>, part: f64) -> f64 {
     let margins = margins(model, point).into_iter();
     let outside = margins.map(|(limit, value, margin)| {

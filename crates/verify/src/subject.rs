@@ -18,8 +18,7 @@ pub trait Equations: Sync {
     fn rates(&self, point: &Point<f64>) -> Vec<f64>;
     /// Observation (marker position) in inertial components; `None` if the model has no observation.
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>>;
-    /// Magnitude of the terms of every state derivative, then of every component of the observation, as the equations
-    /// sum them; empty if unknown.
+    /// Magnitude of the terms of every state derivative and component of the observation; empty if unknown.
     fn magnitudes(&self, _point: &Point<f64>) -> Vec<f64> {
         Vec::new()
     }
@@ -92,8 +91,7 @@ impl<'a> Subject<'a> {
         Some(Point { states, ..carried })
     }
 
-    /// Index and null value of each coefficient that the reference law does not contain or, without one, of each
-    /// effect.
+    /// Index and null value of each coefficient that the reference law lacks or, without one, of each effect.
     pub fn extras(&self) -> Vec<(usize, f64)> {
         match &self.reference {
             Some(reference) => reference.null_values(self.model),
@@ -124,8 +122,7 @@ impl<'a> Subject<'a> {
         self.of_body_alone(point, self.of_effects())
     }
 
-    /// Result of a check that requires a reference law, for a model without one: skipped if a declared or claimed body
-    /// makes up for it, otherwise unverified.
+    /// Skips a check that requires a reference law if a declared or claimed body makes up for it, else unverified.
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -199,16 +196,14 @@ impl Equations for Interpreted<'_> {
 /// A value and its derivative with respect to true time, with bounds of the rounding error.
 pub type Bounded = Dual<ErrorBound>;
 
-/// The claimed body moving as the equations under test state; bounds of the derivatives are those of the vector tree.
-/// `None` without a claim or equations.
+/// The claimed body moving as by [`moving_as_stated`]; `None` without a claim or equations.
 pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bounded>> {
     subject.model.claim.as_ref()?;
     let point = moving_as_stated(subject, point)?;
     ClaimedBody::of(&Tree::new(subject.model, &point))
 }
 
-/// The point moving as the equations under test state; bounds of the derivatives are those of the vector tree. `None`
-/// without equations.
+/// The point moving as the equations under test state, with bounds of the vector tree; `None` without equations.
 pub fn moving_as_stated(subject: &Subject<'_>, point: &Point<f64>) -> Option<Point<Bounded>> {
     let lifted = point.lift::<ErrorBound>();
     let tree = Tree::new(subject.model, &lifted);

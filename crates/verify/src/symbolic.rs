@@ -8,9 +8,9 @@ use crate::evaluation::{self, Arithmetic, Inputs};
 use crate::field::{self, Angle, FieldPoint};
 use codegen::functions::MathFunction;
 use codegen::program::Program;
-use codegen::table::{SurfaceFunction, Tables};
+use codegen::table::{TableFunction, Tables};
 use num_traits::{One, Zero};
-use oracle::scalar::{Elementary, Field, Prime, Real};
+use oracle::scalar::{Elementary, Prime, Real};
 use oracle::{Interpolant, Point, Surface};
 use std::cell::RefCell;
 
@@ -105,27 +105,12 @@ oracle::operators!([] Symbolic {
     -a => a.map(|a| Some(-a)),
 });
 
-impl Zero for Symbolic {
-    fn zero() -> Self {
-        Prime::zero().into()
-    }
-
-    fn is_zero(&self) -> bool {
-        self.0.is_some_and(|value| value.is_zero())
-    }
-}
-
-impl One for Symbolic {
-    fn one() -> Self {
-        Prime::one().into()
-    }
-}
-
-impl Field for Symbolic {
-    fn integer(value: i64) -> Self {
-        Prime::integer(value).into()
-    }
-}
+oracle::constants!([] Symbolic {
+    zero => Prime::zero().into(),
+    is_zero(a) => a.0.is_some_and(|value| value.is_zero()),
+    one => Prime::one().into(),
+    integer(n) => Prime::integer(n).into(),
+});
 
 impl Real for Symbolic {
     oracle::jet!();
@@ -184,13 +169,13 @@ impl Arithmetic for Symbolic {
             (MathFunction::NonZero, _) => self.if_zero(Self::zero(), Self::one()),
             (MathFunction::Table(function), _) => {
                 let of = tables.table(function.table()).fingerprint;
-                self.map(|a| symbol(|| field::table(of, function.order(), a)))
+                self.map(|a| symbol(|| field::table(of, function.orders()[0], a)))
             }
             _ => self.map(|a| symbol(|| field::call(function, a))),
         }
     }
 
-    fn looked_up(self, other: Self, function: SurfaceFunction, tables: &Tables) -> Self {
+    fn looked_up(self, other: Self, function: TableFunction<2>, tables: &Tables) -> Self {
         let of = tables.table(function.table()).fingerprint;
         self.with(other, |a, b| {
             symbol(|| field::surface(of, function.orders(), [a, b]))

@@ -136,15 +136,7 @@ impl<'a> Checker<'a> {
         let mut parts = Parts::default();
         let mut seen: Vec<(&str, Span)> = Vec::new();
         for part in &body.parts {
-            let word = match &part.kind {
-                BodyPartKind::Mass(_) => "mass",
-                BodyPartKind::Inertia(_) => "inertia",
-                BodyPartKind::Fixed(_) => "fixed in",
-                BodyPartKind::Position(..) => "position",
-                BodyPartKind::Velocity(..) => "velocity",
-                BodyPartKind::AngularVelocity(..) => "angular velocity",
-                BodyPartKind::AngularVelocityIn(_) => "angular velocity in",
-            };
+            let word = part.words;
             if let Some(&(_, first)) = seen.iter().find(|s| s.0 == word) {
                 self.second(word, first, part.span);
                 continue;
@@ -157,15 +149,18 @@ impl<'a> Checker<'a> {
                 self.report(fault.help("declare it as `body`, not as `point`, if it turns"));
                 continue;
             }
-            match &part.kind {
-                BodyPartKind::Mass(mass) => parts.mass = Some(mass),
-                BodyPartKind::Inertia(inertia) => parts.inertia = Some((inertia, part.span)),
-                BodyPartKind::Fixed(frame) => parts.fixed = Some(frame),
-                BodyPartKind::Position(names, frame) => parts.position = Some((names, frame)),
-                BodyPartKind::Velocity(names, frame) => parts.velocity = Some((names, frame)),
-                BodyPartKind::AngularVelocity(names, frame) => parts.angular = Some((names, frame)),
-                BodyPartKind::AngularVelocityIn(frame) => {
-                    parts.angular_velocity_frame = Some(frame);
+            match (word, &part.kind) {
+                (_, BodyPartKind::Value(mass)) => parts.mass = Some(mass),
+                (_, BodyPartKind::Inertia(own)) => parts.inertia = Some((own, part.span)),
+                ("fixed in", BodyPartKind::Frame(frame)) => parts.fixed = Some(frame),
+                (_, BodyPartKind::Frame(frame)) => parts.angular_velocity_frame = Some(frame),
+                (_, BodyPartKind::States(names, frame)) => {
+                    let own = match word {
+                        "position" => &mut parts.position,
+                        "velocity" => &mut parts.velocity,
+                        _ => &mut parts.angular,
+                    };
+                    *own = Some((names, frame));
                 }
             }
         }
@@ -185,8 +180,7 @@ impl<'a> Checker<'a> {
         self.lacking("the body", "the body", &body.name, &needed);
     }
 
-    /// Reports missing statements of the block `name`; in the message, `what` precedes the name, and `owner` is to have
-    /// them.
+    /// Reports missing statements of the block `name`, which `what` precedes in the message; `owner` is to have them.
     pub fn lacking(&mut self, what: &str, owner: &str, name: &Name, needed: &[(&str, bool)]) {
         let missing: Vec<&str> = needed.iter().filter(|n| n.1).map(|n| n.0).collect();
         if missing.is_empty() {

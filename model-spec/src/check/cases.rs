@@ -68,7 +68,6 @@ impl Checker<'_> {
                 title: check.title.clone(),
                 settings,
                 expectations,
-                span,
             });
         }
     }

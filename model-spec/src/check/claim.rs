@@ -6,7 +6,7 @@ use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::layout::depends;
 use crate::model::{self, ClaimedAttitude, ClaimedRotation, Expr, ExprKind};
-use crate::syntax::ast::{self, BodyClass, ClaimPart, ClaimPartKind, ItemKind};
+use crate::syntax::ast::{self, BodyClass, BodyPart, BodyPartKind, ItemKind};
 use crate::syntax::of_kind;
 use crate::unit::Unit;
 
@@ -31,7 +31,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Whether a `claim` block has each required statement once, without `der(…)`; reports violations.
-    fn claimed_parts(&mut self, claim: &'a ast::Claim) -> bool {
+    fn claimed_parts(&mut self, claim: &'a ast::Body) -> bool {
         let before = self.diagnostics.len();
         let mut seen: Vec<(&str, Span)> = Vec::new();
         for part in &claim.parts {
@@ -72,7 +72,7 @@ impl<'a> Checker<'a> {
         self.diagnostics.len() == before
     }
 
-    fn without_derivatives(&mut self, part: &'a ClaimPart) {
+    fn without_derivatives(&mut self, part: &'a BodyPart) {
         let mut found: Option<(String, Span)> = None;
         for e in part.expressions() {
             self.all_uses(e, &mut |name, is_derivative, span| {
@@ -122,7 +122,7 @@ impl<'a> Checker<'a> {
         culprit.is_some()
     }
 
-    fn claimed(&mut self, claim: &'a ast::Claim) -> Option<model::Claim> {
+    fn claimed(&mut self, claim: &'a ast::Body) -> Option<model::Claim> {
         let part = |word: &str| claim.parts.iter().find(|p| p.words == word);
         let mass = self.claimed_mass(part("mass")?);
         let mut vector = |word: &str, what: &str, unit: Unit| {
@@ -158,13 +158,12 @@ impl<'a> Checker<'a> {
             velocity: velocity?,
             force: force?,
             rotation,
-            span: claim.name.span,
         })
     }
 
-    fn claimed_mass(&mut self, part: &'a ClaimPart) -> Option<Expr> {
+    fn claimed_mass(&mut self, part: &'a BodyPart) -> Option<Expr> {
         match &part.kind {
-            ClaimPartKind::Value(mass) => {
+            BodyPartKind::Value(mass) => {
                 self.constant_of_body(mass, Unit::KILOGRAM, "the mass", false)
             }
             _ => None,
@@ -178,8 +177,8 @@ impl<'a> Checker<'a> {
         (!self.is_circular(&typed.expr)).then_some(typed.expr)
     }
 
-    fn claimed_inertia(&mut self, part: &'a ClaimPart) -> Option<(usize, [[Expr; 3]; 3])> {
-        let ClaimPartKind::Inertia(inertia) = &part.kind else {
+    fn claimed_inertia(&mut self, part: &'a BodyPart) -> Option<(usize, [[Expr; 3]; 3])> {
+        let BodyPartKind::Inertia(inertia) = &part.kind else {
             return None;
         };
         let frame = self.frame_of(&inertia.frame);
@@ -189,17 +188,17 @@ impl<'a> Checker<'a> {
 
     fn claimed_attitude(
         &mut self,
-        part: &'a ClaimPart,
+        part: &'a BodyPart,
         inertia_frame: usize,
         inertia: &[[Expr; 3]; 3],
     ) -> Option<ClaimedAttitude> {
         match &part.kind {
-            ClaimPartKind::Fixed(name) => {
+            BodyPartKind::Frame(name) => {
                 let frame = self.frame_of(name)?;
                 self.steady_inertia(inertia, frame, inertia_frame, part.span);
                 Some(ClaimedAttitude::Frame(frame))
             }
-            ClaimPartKind::Value(e) => {
+            BodyPartKind::Value(e) => {
                 let (typed, _) = self.vector(e, "the axis of the claim")?;
                 let ExprKind::Axis(frame, axis) = typed.expr.kind else {
                     let message = "the axis of a claim is an axis of a frame, such as `B.3`";
@@ -216,7 +215,7 @@ impl<'a> Checker<'a> {
                 }
                 Some(ClaimedAttitude::Axis(frame, axis))
             }
-            ClaimPartKind::Inertia(_) => None,
+            BodyPartKind::Inertia(_) | BodyPartKind::States(..) => None,
         }
     }
 

@@ -89,8 +89,7 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Declared unit with its conversion factor, and as term; `true` if it is a new unknown, for `[?]` or an invalid
-    /// unit.
+    /// Declared unit with its factor, and as a term; `true` if it is a new unknown, for `[?]` or an invalid unit.
     pub fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         let Some(unit) = unit else {
             let term = self.unitless.term(name.span);

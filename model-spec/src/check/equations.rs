@@ -9,7 +9,6 @@ use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model;
 use crate::syntax::ast::{self, ItemKind, LoadClass};
-use crate::syntax::expand::roots;
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
@@ -44,7 +43,7 @@ impl<'a> Checker<'a> {
     fn used_derivatives(&mut self, definitions: &mut Vec<Defining<'a>>) {
         let file = self.file;
         let mut used: HashSet<usize> = HashSet::new();
-        let roots = file.items.iter().flat_map(|item| roots(&item.kind));
+        let roots = file.items.iter().flat_map(|item| item.kind.roots());
         for value in roots {
             self.all_uses(value, &mut |name, derivative, _| {
                 if derivative && let Some(Symbol::State(i)) = self.scope.find(name) {
@@ -299,7 +298,6 @@ impl<'a> Checker<'a> {
         self.model.clock = Some(model::Clock {
             value: typed.expr,
             span: item.span,
-            effect: item.effect,
         });
     }
 

@@ -287,16 +287,10 @@ fn unwrapped(text: &str) -> &str {
 }
 
 fn empty_model(file: &ast::File, sources: &[Source]) -> Model {
-    let offers = file.effects().map(|effect| model::OfferedEffect {
-        name: effect.name.text.clone(),
-        doc: effect.doc.clone(),
-        span: effect.name.span,
-    });
     Model {
         doc: file.doc.clone(),
         sources: sources.to_vec(),
         tree: Arc::new(file.clone()),
-        offers: offers.collect(),
         ..Model::default()
     }
 }

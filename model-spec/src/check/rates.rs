@@ -61,11 +61,10 @@ impl Checker<'_> {
     /// Finds on which states the quantities depend that `der(…)` needs.
     pub fn find_state_sets(&mut self) {
         let file = self.file;
-        let roots = |kind| crate::syntax::expand::roots(kind).into_iter();
         let is_block =
             |item: &ast::Item| matches!(item.kind, ItemKind::Solve(_) | ItemKind::Balance(_));
         let mut items = file.items.iter();
-        if !items.any(|item| is_block(item) || roots(&item.kind).any(has_rates)) {
+        if !items.any(|item| is_block(item) || item.kind.roots().into_iter().any(has_rates)) {
             return;
         }
         if self.model.states.len() > MAX_STATES {

@@ -292,8 +292,7 @@ impl Checker<'_> {
         self.diagnostics.extend(faults);
     }
 
-    /// Error for a root, logarithm, real power or arc function whose argument is outside the domain for all values
-    /// within the bounds.
+    /// Error for a function whose argument is outside its domain for all values within the bounds.
     fn outside_domain(&self, e: &Expr, signs: &Signs<'_>) -> Option<Diagnostic> {
         let (argument, domain) = match &e.kind {
             ExprKind::Call(Function::Sqrt, a) => (a, (0.0, f64::INFINITY)),

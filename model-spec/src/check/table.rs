@@ -45,8 +45,6 @@ impl Checker<'_> {
             values: Vec::new(),
             interpolation: table.interpolation,
             continuation: table.continuation,
-            span: table.name.span,
-            effect: item.effect,
         };
         // A fault of the values does not hide one of the arguments.
         let arguments = match table.file {

@@ -114,8 +114,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds to unit errors the declarations that may have caused them, with the units inferred by `inferring`, unless
-    /// it reports them too.
+    /// Adds to unit errors the declarations that may have caused them, with the units inferred by `inferring`.
     pub fn suggest_units(&mut self, inferring: &Checker<'_>) {
         let remaining: Vec<Span> = inferring
             .diagnostics

@@ -3,9 +3,7 @@
 use crate::diagnostic::{Diagnostic, Kind, Source};
 use crate::files::{self, Complete};
 use crate::location::Span;
-use crate::read::EFFECTS;
-use crate::read::LoadError;
-use crate::read::read;
+use crate::read::{EFFECTS, LoadError, read};
 use crate::syntax::ast::{Effect, EffectPart, Item, ItemKind, Need};
 use std::fmt;
 use std::path::Path;
@@ -94,9 +92,6 @@ impl EffectTree {
 
     /// Parses an effect from text; messages refer to the text as `name`. The text must declare exactly one effect, or
     /// several effects of which one is named like the file `name` without its extension.
-    ///
-    /// # Errors
-    /// [`LoadError::Faults`] if the text has syntax errors or contains no such effect.
     pub fn parse(name: &str, text: &str) -> Result<EffectTree, LoadError> {
         let Complete {
             file,
@@ -203,11 +198,9 @@ impl fmt::Display for EffectTree {
 pub enum Instrument {
     /// Measures the angular velocity of the body, rad/s, with components in the frame of the model's marker.
     Gyroscope,
-    /// Measures the specific force at the position of the model's marker, m/s², with components in the frame of the
-    /// marker.
+    /// Measures the specific force at the model's marker, m/s², with components in the frame of the marker.
     Accelerometer,
-    /// Measures a speed, m/s: the value of the auxiliary variable `speed` if the model declares one, otherwise the
-    /// speed of the centre of mass relative to the ground.
+    /// Measures a speed, m/s: the variable `speed` of the model, otherwise that of the centre of mass over the ground.
     Speed,
 }
 

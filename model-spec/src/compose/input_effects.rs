@@ -8,8 +8,7 @@ use crate::syntax::of_kind;
 /// Maximum number of inputs per model for which effects are created.
 const MAX_INPUTS: usize = 24;
 
-/// Creates four effects for each scalar input: it acts with an offset, as a multiple, later than recorded, or through a
-/// lag of first order.
+/// Creates four effects for each scalar input: it acts with an offset, as a multiple, later, or through a lag.
 pub(super) fn input_effects(file: &File) -> Vec<EffectTree> {
     // Inputs that effects added, such as the rate of an input, are no recordings.
     let own = file.items.iter().filter(|item| item.effect.is_none());

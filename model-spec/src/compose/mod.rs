@@ -35,8 +35,7 @@ use crate::diagnostic::{self, Diagnostic, Kind, Source};
 use crate::effect;
 use crate::files::{self, Complete};
 use crate::model::Model;
-use crate::read::LoadError;
-use crate::read::{BODIES, MODELS, REFUTED, find, read};
+use crate::read::{BODIES, LoadError, MODELS, REFUTED, find, read};
 use crate::syntax::ast::{File, ItemKind};
 pub use effect_tree::{EffectTree, Instrument};
 pub use known::{KnownEffect, Origin, Refused, known_effects};
@@ -64,9 +63,6 @@ impl ModelTree {
 
     /// Parses the text of a model; messages refer to the text as `name`. The files that the text names are read if
     /// `name` is the path of a file, beside it.
-    ///
-    /// # Errors
-    /// [`LoadError::Faults`] with all syntax errors.
     pub fn parse(name: &str, text: &str) -> Result<ModelTree, LoadError> {
         let (tree, diagnostics) = ModelTree::parse_with_faults(name, text);
         if diagnostics.is_empty() {
@@ -141,9 +137,6 @@ impl ModelTree {
     }
 
     /// Applies an effect to a copy of the tree; coefficients of the effect follow those of the model.
-    ///
-    /// # Errors
-    /// [`LoadError::Faults`] if the effect is incompatible with the model or with an effect applied before.
     pub fn with(&self, effect: &EffectTree) -> Result<ModelTree, LoadError> {
         let mut extended = self.clone();
         match extended.apply(effect) {
@@ -155,9 +148,6 @@ impl ModelTree {
     /// Applies effects in order to a copy of the tree. Each effect is given by name or path as in
     /// [`ModelTree::find_effect`]. If an effect needs the quantity that an [`Instrument`] measures, and the model does
     /// not declare that quantity, the default definition of the quantity is added first.
-    ///
-    /// # Errors
-    /// The errors of [`ModelTree::find_effect`] and [`ModelTree::with`].
     pub fn with_named<S: AsRef<str>>(
         &self,
         names_or_paths: impl IntoIterator<Item = S>,
@@ -180,9 +170,6 @@ impl ModelTree {
     }
 
     /// Checks names, shapes, frames, units and singular points of the model and of the effects that its file declares.
-    ///
-    /// # Errors
-    /// [`LoadError::Faults`] with all errors, including those of effects that the model's file declares.
     pub fn check(&self) -> Result<Model, LoadError> {
         match self.check_with_faults() {
             Checked {
@@ -202,8 +189,7 @@ impl ModelTree {
         checked
     }
 
-    /// Text of the model with the applied effects merged, in which unknown quantities are what they were; `note` ends
-    /// its documentation.
+    /// Text of the model with its effects merged and without states for unknowns; `note` ends its documentation.
     pub fn to_text(&self, note: &str) -> String {
         let mut file = File::clone(&self.file);
         unknown::restore(&mut file);

@@ -7,8 +7,7 @@ use crate::read::LoadError;
 use crate::syntax::ast::{FrameKind, ItemKind};
 use crate::syntax::{self, of_kind};
 
-use super::Instrument;
-use super::ModelTree;
+use super::{Instrument, ModelTree};
 
 impl ModelTree {
     /// The model with an auxiliary variable [`Instrument::name`] for each of `instruments`, which predicts the measured
@@ -45,8 +44,7 @@ impl ModelTree {
 }
 
 impl Model {
-    /// Returns the model with an auxiliary variable for each of `instruments`, which predicts the value that the
-    /// instrument measures.
+    /// Returns the model with an auxiliary variable for each of `instruments`, which predicts its measured value.
     pub fn with_instruments(&self, instruments: &[Instrument]) -> Result<Model, LoadError> {
         let has = |name: &str| self.aux_variables.iter().any(|own| own.name == name);
         if instruments.iter().all(|own| has(own.name())) {

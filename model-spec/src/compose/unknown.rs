@@ -7,10 +7,9 @@ use std::sync::Arc;
 
 use super::ModelTree;
 use crate::model::Model;
-use crate::nearest_name;
 use crate::read::LoadError;
-use crate::syntax;
 use crate::syntax::ast::{File, Item, ItemKind};
+use crate::{nearest_name, syntax};
 
 /// Error of [`Model::with_unknown`].
 #[derive(Clone, Debug, thiserror::Error)]
@@ -38,9 +37,6 @@ impl Model {
     /// The model with states in place of the inputs, coefficients or constants `names`. The states have their names
     /// (`omega_x`, `omega_y`, `omega_z` for a vector `omega`), start at their default values and do not change. Names
     /// that states already stand for are skipped. [`ModelTree::to_text`] writes the model as it was.
-    ///
-    /// # Errors
-    /// [`UnknownError`] if the model has no such quantity, or needs it to be the same in all flights.
     pub fn with_unknown(&self, names: &BTreeSet<String>) -> Result<Model, UnknownError> {
         let known = self.tree.set_aside.unknown.iter().map(|own| &own.0);
         let all: BTreeSet<&String> = known.clone().chain(names).collect();

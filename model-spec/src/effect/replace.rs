@@ -158,8 +158,9 @@ impl Change<'_> {
     /// Puts the quantity `new` in the place of `old` wherever the model uses it.
     fn stand_in(&mut self, new: &str, old: &str, span: Span) {
         let uses = HashMap::from([(old.to_owned(), named(new, span))]);
-        // A parameter of a function hides a quantity of its name.
+        // A parameter of a function hides a quantity of its name; a body has no inputs.
         let hides = |item: &Item| match &item.kind {
+            ItemKind::Body(_) => true,
             ItemKind::Function(function) => {
                 let mut parameters = function.parameters.iter();
                 parameters.any(|own| own.name.text == old)
@@ -167,7 +168,9 @@ impl Change<'_> {
             _ => false,
         };
         for item in self.file.items.iter_mut().filter(|item| !hides(item)) {
-            item.kind.expressions_mut(&mut |e| replace_names(e, &uses));
+            for root in item.kind.roots_mut() {
+                replace_names(root, &uses);
+            }
         }
     }
 
@@ -211,14 +214,16 @@ impl Change<'_> {
             }
         }
         // Keep `angular_velocity` in the frame of the replaced tensor.
-        let stated = |p: &BodyPart| matches!(p.kind, BodyPartKind::AngularVelocityIn(_));
+        let stated = |p: &BodyPart| p.words == "angular velocity in";
         if inertia.frame.text != old.frame.text && !parts.iter().any(stated) {
             parts.push(BodyPart {
+                words: "angular velocity in",
                 span: old.frame.span,
-                kind: BodyPartKind::AngularVelocityIn(old.frame),
+                kind: BodyPartKind::Frame(old.frame),
             });
         }
         parts[at] = BodyPart {
+            words: "inertia",
             kind: BodyPartKind::Inertia(inertia),
             span,
         };

@@ -7,7 +7,6 @@ use crate::diagnostic::{Diagnostic, Kind};
 use crate::syntax::ast::{
     BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
 };
-use crate::syntax::expand::roots_mut;
 use crate::syntax::reserved::OF_BODY;
 
 /// Name by which an effect refers to the mass of any model's body.
@@ -117,10 +116,10 @@ impl Standard {
         };
         for part in &body.parts {
             match &part.kind {
-                BodyPartKind::Mass(mass) => {
+                BodyPartKind::Value(mass) => {
                     standard.values.insert(MASS.to_owned(), mass.clone());
                 }
-                BodyPartKind::Fixed(frame) if !own(FRAMES[1]) => {
+                BodyPartKind::Frame(frame) if part.words == "fixed in" && !own(FRAMES[1]) => {
                     standard.frames.insert(FRAMES[1], frame.text.clone());
                 }
                 BodyPartKind::Inertia(inertia) => {
@@ -183,7 +182,7 @@ pub(super) fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
 
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     effect.parts.iter_mut().flat_map(|part| match part {
-        EffectPart::Replace(item) | EffectPart::Add(item) => roots_mut(&mut item.kind),
+        EffectPart::Replace(item) | EffectPart::Add(item) => item.kind.roots_mut(),
         EffectPart::ReplaceInertia(inertia, _) => {
             inertia.rows.iter_mut().flatten().flatten().collect()
         }

@@ -22,9 +22,6 @@ const MAX_PASSES: usize = 12;
 
 /// Formats the text of a model or of an effect, to which messages refer as `name`: the same tokens and comments, in
 /// the same order, with other white space. Formatting the result again changes nothing. Line ends stay LF or CRLF.
-///
-/// # Errors
-/// [`LoadError::Faults`] with all lexical and syntax errors of the text.
 pub fn format(name: &str, text: &str) -> Result<String, LoadError> {
     let parsed = parse_statements(name, text, 0);
     let refused = |diagnostics| LoadError::Faults {

@@ -11,8 +11,6 @@ pub struct CheckCase {
     pub settings: Vec<(Target, f64)>,
     /// Results to compare, with expected values and tolerances.
     pub expectations: Vec<Expectation>,
-    /// Source span of the keyword `check`.
-    pub span: Span,
 }
 
 /// A scalar that a check case sets.

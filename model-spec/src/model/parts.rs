@@ -2,12 +2,10 @@
 
 use super::Expr;
 use crate::fingerprint;
-use crate::location::Span;
 pub use crate::syntax::ast::{Continuation, Interpolation};
 use crate::unit::Unit;
 
-/// Mass, motion and loads of a body that a `claim` block declares for the stated equations; `hyzer verify` checks
-/// whether they agree.
+/// Mass, motion and loads of a body that a `claim` block declares, which `hyzer verify` compares with the equations.
 #[derive(Clone, Debug)]
 pub struct Claim {
     /// Name of the body that the equations of the model are declared to describe.
@@ -22,8 +20,6 @@ pub struct Claim {
     pub force: Expr,
     /// Rotational motion; `None` for a point mass.
     pub rotation: Option<ClaimedRotation>,
-    /// Source span of the name of the body in the `claim` block.
-    pub span: Span,
 }
 
 /// Rotational motion of a claimed body.
@@ -33,8 +29,7 @@ pub struct ClaimedRotation {
     pub attitude: ClaimedAttitude,
     /// Index into [`Model::frames`](super::Model::frames) of the frame in which the inertia tensor is constant.
     pub inertia_frame: usize,
-    /// Inertia tensor about the centre of mass, kg m², in [`ClaimedRotation::inertia_frame`], see
-    /// [`Rotation`](super::Rotation).
+    /// Inertia tensor about the centre of mass, kg m², in [`ClaimedRotation::inertia_frame`].
     pub inertia: [[Expr; 3]; 3],
     /// Angular velocity of the body relative to the inertial frame, a vector in any frame, rad/s.
     pub angular_velocity: Expr,
@@ -101,8 +96,7 @@ pub struct AppliedEffect {
 }
 
 impl AppliedEffect {
-    /// Sentence for a first coefficient that exceeds its null value by `departure`; the documentation if none is
-    /// stated.
+    /// Sentence for a first coefficient that exceeds its null value by `departure`; by default the documentation.
     pub fn sentence(&self, departure: f64) -> &str {
         let stated = if departure > 0.0 {
             &self.increases
@@ -113,17 +107,6 @@ impl AppliedEffect {
         };
         if stated.is_empty() { &self.doc } else { stated }
     }
-}
-
-/// An effect declared in a model's file. It can be applied by its name.
-#[derive(Clone, Debug)]
-pub struct OfferedEffect {
-    /// Name of the effect, words separated by underscores.
-    pub name: String,
-    /// Documentation: the `///` lines before the effect.
-    pub doc: String,
-    /// Source span of the name of the effect.
-    pub span: Span,
 }
 
 /// A coefficient or initial state that an effect adds; at its null value, the effect is absent.
@@ -162,17 +145,12 @@ pub struct Table {
     pub unit: Unit,
     /// Text of the SI unit of the value.
     pub unit_text: String,
-    /// Values at the knots, SI; of two arguments at all knots of the second for the first knot of the first, then for
-    /// its second one, and so on.
+    /// Values at the knots, SI; of two arguments row by row, the knots of the second running faster.
     pub values: Vec<f64>,
     /// Method of interpolation between the knots.
     pub interpolation: Interpolation,
     /// Method of extrapolation below the first and above the last knot.
     pub continuation: Continuation,
-    /// Source span of the name in the declaration.
-    pub span: Span,
-    /// Index into [`Model::effects`](super::Model::effects) of the effect that added the table.
-    pub effect: Option<usize>,
 }
 
 /// An argument of a [`Table`].

@@ -12,8 +12,7 @@ pub struct LinearSystem {
     pub unknowns: Vec<Unknown>,
     /// Left-hand side minus right-hand side of each equation, which are zero; a vector is three equations.
     pub equations: Vec<Expr>,
-    /// By how much the states deviate from the block's constraints, and the derivatives of these deviations that have no
-    /// unknowns.
+    /// Deviations of the states from the block's constraints, and the derivatives of these that have no unknowns.
     pub constraints: Vec<Expr>,
     /// Source span of the block.
     pub span: Span,

@@ -252,8 +252,7 @@ impl Model {
         })
     }
 
-    /// Limits but those that hold the constraints of blocks `solve`, which few states fulfil: the equations of motion hold
-    /// beyond them.
+    /// Limits but those that hold the constraints of blocks `solve`: the equations of motion hold beyond these.
     pub fn limits_of_validity(&self) -> impl Iterator<Item = &ValidityLimit> {
         let is_of_constraint = |limit: &ValidityLimit| {
             let mut systems = self.systems.iter();

@@ -9,8 +9,8 @@ mod solve;
 use crate::location::Span;
 use crate::unit::Unit;
 pub use blocks::{
-    Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Claim, ClaimPart, ClaimPartKind,
-    Continuation, Effect, EffectPart, Inertia, Interpolation, Need, Table,
+    Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Continuation, Effect, EffectPart,
+    Inertia, Interpolation, Need, Table,
 };
 pub use functions::{
     Array, Ascription, Expanded, Function, FunctionParameter, Index, Template, Type,
@@ -117,7 +117,7 @@ pub enum ItemKind {
     /// Check case: `check "title" { … }`
     Check(Check),
     /// The body that the stated equations describe: `claim body NAME { … }` or `claim point NAME { … }`
-    Claim(Claim),
+    Claim(Body),
     /// Claimed change of a quantity along the motion: `claim der(EXPR) = EXPR;`
     Balance(Balance),
     /// Declaration of an effect: `effect NAME { … }`

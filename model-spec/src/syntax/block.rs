@@ -1,8 +1,8 @@
 //! Parser for statements with a block, except effects.
 
 use super::ast::{
-    Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Claim, ClaimPart, ClaimPartKind,
-    Continuation, Expr, Inertia, Interpolation, ItemKind, Name, Quantity, Table,
+    Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Continuation, Expr, Inertia,
+    Interpolation, ItemKind, Name, Quantity, Table,
 };
 use super::parser::{Parser, Read};
 use super::token::Token;
@@ -17,49 +17,61 @@ impl Parser<'_> {
         } else {
             BodyClass::Point
         };
-        let parts = self.block(&format!("`{word} {}`", name.text), Self::body_part)?;
+        let what = format!("`{word} {}`", name.text);
+        let parts = self.block(&what, |parser| parser.body_part(false))?;
         Ok(ItemKind::Body(Body { class, name, parts }))
     }
 
-    fn body_part(&mut self) -> Read<BodyPart> {
+    fn body_part(&mut self, is_claimed: bool) -> Read<BodyPart> {
         let start = self.here();
-        let word = self.raw();
-        const WORDS: [&str; 6] = [
-            "mass", "inertia", "fixed", "position", "velocity", "angular",
-        ];
-        if !WORDS.contains(&word) {
-            let what =
-                "`mass`, `inertia`, `fixed in`, `position`, `velocity` or `angular velocity`";
-            return self.expected_word(what, &WORDS);
-        }
+        let (known, what): (&[&str], &str) = match is_claimed {
+            false => (
+                &[
+                    "mass", "inertia", "fixed", "position", "velocity", "angular",
+                ],
+                "`mass`, `inertia`, `fixed in`, `position`, `velocity` or `angular velocity`",
+            ),
+            true => (
+                &[
+                    "mass", "inertia", "fixed", "axis", "position", "velocity", "angular", "force",
+                    "moment",
+                ],
+                "`mass`, `position`, `velocity`, `force`, `inertia`, `fixed in`, `axis`, `angular velocity` or `moment`",
+            ),
+        };
+        let Some(&word) = known.iter().find(|word| **word == self.raw()) else {
+            return self.expected_word(what, known);
+        };
         self.advance();
-        let kind = match word {
-            "mass" => BodyPartKind::Mass(self.expr()?),
-            "inertia" => BodyPartKind::Inertia(Box::new(self.inertia()?)),
-            "fixed" => BodyPartKind::Fixed(self.in_frame("`fixed`")?),
-            "position" => {
-                let names = self.triple_of_names()?;
-                BodyPartKind::Position(names, self.in_frame("the coordinates")?)
-            }
-            "velocity" => {
-                let names = self.triple_of_names()?;
-                BodyPartKind::Velocity(names, self.in_frame("the components")?)
-            }
+        let (words, kind) = match word {
+            "inertia" => (word, BodyPartKind::Inertia(Box::new(self.inertia()?))),
+            "fixed" => ("fixed in", BodyPartKind::Frame(self.in_frame("`fixed`")?)),
             _ => {
-                self.need_word("velocity", "`angular`")?;
-                if self.at_word("in") {
-                    BodyPartKind::AngularVelocityIn(self.in_frame("`angular velocity`")?)
+                let is_angular = word == "angular";
+                if is_angular {
+                    self.need_word("velocity", "`angular`")?;
+                }
+                let words = if is_angular { "angular velocity" } else { word };
+                if is_claimed || word == "mass" {
+                    (words, BodyPartKind::Value(self.expr()?))
+                } else if is_angular && self.at_word("in") {
+                    let frame = self.in_frame("`angular velocity`")?;
+                    ("angular velocity in", BodyPartKind::Frame(frame))
                 } else {
                     let names = self.triple_of_names()?;
-                    BodyPartKind::AngularVelocity(names, self.in_frame("the components")?)
+                    let is_position = word == "position";
+                    let after = if is_position {
+                        "the coordinates"
+                    } else {
+                        "the components"
+                    };
+                    (words, BodyPartKind::States(names, self.in_frame(after)?))
                 }
             }
         };
         self.semicolon("this statement")?;
-        Ok(BodyPart {
-            kind,
-            span: start.to(self.behind()),
-        })
+        let span = start.to(self.behind());
+        Ok(BodyPart { words, kind, span })
     }
 
     /// Parses a block in which `let` defines quantities of the model.
@@ -184,40 +196,15 @@ impl Parser<'_> {
         };
         self.advance();
         let name = self.name(&format!("a name after `claim {word}`"))?;
-        let parts = self.block(&format!("`claim {word} {}`", name.text), Self::claim_part)?;
-        Ok(ItemKind::Claim(Claim { class, name, parts }))
-    }
-
-    fn claim_part(&mut self) -> Read<ClaimPart> {
-        let start = self.here();
-        const FIRST: [&str; 9] = [
-            "mass", "inertia", "fixed", "axis", "position", "velocity", "angular", "force",
-            "moment",
-        ];
-        let word = self.raw();
-        let words = ClaimPart::WORDS.into_iter();
-        let Some(words) = { words }.find(|words| words.split(' ').next() == Some(word)) else {
-            let what = "`mass`, `position`, `velocity`, `force`, `inertia`, `fixed in`, `axis`, `angular velocity` or `moment`";
-            return self.expected_word(what, &FIRST);
-        };
-        self.advance();
-        if word == "angular" {
-            self.need_word("velocity", "`angular`")?;
-        }
-        let kind = match word {
-            "inertia" => ClaimPartKind::Inertia(Box::new(self.inertia()?)),
-            "fixed" => ClaimPartKind::Fixed(self.in_frame("`fixed`")?),
-            _ => ClaimPartKind::Value(self.expr()?),
-        };
-        self.semicolon("this statement")?;
-        let span = start.to(self.behind());
-        Ok(ClaimPart { words, kind, span })
+        let what = format!("`claim {word} {}`", name.text);
+        let parts = self.block(&what, |parser| parser.body_part(true))?;
+        Ok(ItemKind::Claim(Body { class, name, parts }))
     }
 }
 
-impl Display for Claim {
+impl Display for Body {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(f, "claim {} {} {{", self.class.keyword(), self.name.text)?;
+        writeln!(f, "{} {} {{", self.class.keyword(), self.name.text)?;
         for part in &self.parts {
             writeln!(f, "  {part};")?;
         }
@@ -225,13 +212,16 @@ impl Display for Claim {
     }
 }
 
-impl Display for ClaimPart {
+impl Display for BodyPart {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         write!(f, "{} ", self.words)?;
         match &self.kind {
-            ClaimPartKind::Inertia(inertia) => write!(f, "{inertia}"),
-            ClaimPartKind::Fixed(frame) => f.write_str(&frame.text),
-            ClaimPartKind::Value(e) => write!(f, "{e}"),
+            BodyPartKind::Inertia(inertia) => write!(f, "{inertia}"),
+            BodyPartKind::Frame(frame) => f.write_str(&frame.text),
+            BodyPartKind::States([a, b, c], frame) => {
+                write!(f, "({}, {}, {}) in {}", a.text, b.text, c.text, frame.text)
+            }
+            BodyPartKind::Value(e) => write!(f, "{e}"),
         }
     }
 }

@@ -26,26 +26,17 @@ impl Parser<'_> {
         let doc = self.doc();
         let start = self.here();
         let word = self.raw();
-        const STATED: [&str; 8] = [
-            "source",
-            "needs",
-            "generalises",
-            "increases",
-            "decreases",
-            "site",
-            "variables",
-            "negligible",
-        ];
-        if STATED.contains(&word) {
-            self.advance();
-            let part = self.stated_part(word, start)?;
-            return match word {
-                "increases" | "decreases" => self.semicolon("this sentence"),
-                _ => self.semicolon(&format!("this `{word}`")),
-            }
-            .map(|()| part);
-        }
         let kind = match word {
+            "source" | "needs" | "generalises" | "increases" | "decreases" | "site"
+            | "variables" | "negligible" => {
+                self.advance();
+                let part = self.stated_part(word, start)?;
+                let statement = match word {
+                    "increases" | "decreases" => "this sentence",
+                    _ => &format!("this `{word}`"),
+                };
+                return self.semicolon(statement).map(|()| part);
+            }
             "replace" => {
                 self.advance();
                 return self.replacement(doc);

@@ -406,8 +406,7 @@ impl<'a> Parser<'a> {
         result
     }
 
-    /// Recovers from an error in the statement that `started`: skips its `;` or block, or up to a closing `}` or a line
-    /// with a keyword.
+    /// Skips the `;` or block of the faulty statement that `started`, or up to a closing `}` or a line with a keyword.
     pub fn recover(&mut self, started: usize) {
         let mut open = 0_u32;
         loop {

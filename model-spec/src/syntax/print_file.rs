@@ -123,14 +123,8 @@ fn write_kind(f: &mut Formatter<'_>, kind: &ItemKind, of: &Elements) -> Result {
             )
         }
         ItemKind::Frame(frame) => write!(f, "frame {}{};", frame.name.text, frame.kind),
-        ItemKind::Body(body) => {
-            writeln!(f, "{} {} {{", body.class.keyword(), body.name.text)?;
-            for part in &body.parts {
-                writeln!(f, "  {};", part.kind)?;
-            }
-            f.write_char('}')
-        }
-        ItemKind::Claim(claim) => write!(f, "{claim}"),
+        ItemKind::Body(body) => write!(f, "{body}"),
+        ItemKind::Claim(claim) => write!(f, "claim {claim}"),
         ItemKind::Solve(solve) => write!(f, "{solve}"),
         ItemKind::Balance(own) => write!(f, "claim der({}) = {};", own.quantity, own.change),
         ItemKind::Table(table) => write!(f, "{table}"),
@@ -278,29 +272,6 @@ impl Display for FrameKind {
                 " = {} by quaternion ({}, {}, {}, {})",
                 parent.text, a.text, b.text, c.text, d.text
             ),
-        }
-    }
-}
-
-impl Display for BodyPartKind {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let mut names = |word: &str, [a, b, c]: &[Name; 3], frame: &Name| {
-            write!(
-                f,
-                "{word} ({}, {}, {}) in {}",
-                a.text, b.text, c.text, frame.text
-            )
-        };
-        match self {
-            BodyPartKind::Position(n, frame) => names("position", n, frame),
-            BodyPartKind::Velocity(n, frame) => names("velocity", n, frame),
-            BodyPartKind::AngularVelocity(n, frame) => names("angular velocity", n, frame),
-            BodyPartKind::AngularVelocityIn(frame) => {
-                write!(f, "angular velocity in {}", frame.text)
-            }
-            BodyPartKind::Mass(mass) => write!(f, "mass {mass}"),
-            BodyPartKind::Inertia(inertia) => write!(f, "inertia {inertia}"),
-            BodyPartKind::Fixed(frame) => write!(f, "fixed in {}", frame.text),
         }
     }
 }

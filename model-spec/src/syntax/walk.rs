@@ -3,8 +3,9 @@
 use std::collections::HashSet;
 
 use super::ast::{
-    Body, BodyPartKind, ClaimPartKind, Effect, Equation, Expr, ExprKind, File, Frame, FrameKind,
-    ItemKind, Let, Load, Name, Observe, Parameter, State,
+    Array, Balance, Body, BodyPart, BodyPartKind, Effect, Equation, Expr, ExprKind, File, Frame,
+    FrameKind, Function, ImplicitEquation, ItemKind, Let, Limit, Load, Name, Observe, Parameter,
+    Solve, State,
 };
 
 /// Iterates over the contents of the statements of one kind.
@@ -34,7 +35,8 @@ impl File {
         of_kind!(self.items.iter(), ItemKind::Frame)
     }
 
-    pub(crate) fn effects(&self) -> impl Iterator<Item = &Effect> {
+    /// The effects that the file declares, applied or not.
+    pub fn effects(&self) -> impl Iterator<Item = &Effect> {
         of_kind!(self.items.iter(), ItemKind::Effect)
     }
 
@@ -64,10 +66,7 @@ impl File {
                 },
                 ItemKind::Body(body) => {
                     for part in &body.parts {
-                        if let BodyPartKind::Position(states, _)
-                        | BodyPartKind::Velocity(states, _)
-                        | BodyPartKind::AngularVelocity(states, _) = &part.kind
-                        {
+                        if let BodyPartKind::States(states, _) = &part.kind {
                             names.extend(states.each_ref().map(|state| state.text.clone()));
                         }
                     }
@@ -152,6 +151,36 @@ macro_rules! value {
     };
 }
 
+/// Function body of [`ItemKind::roots`] and [`ItemKind::roots_mut`], which differ only in the kind of reference.
+macro_rules! roots {
+    ($kind:expr, $iter:ident, $value:ident, $roots:ident) => {
+        match $kind {
+            ItemKind::Limit(Limit { value, .. }) => vec![value],
+            ItemKind::Balance(Balance { quantity, change }) => vec![quantity, change],
+            ItemKind::Solve(Solve { equations, .. }) => { equations.$iter() }
+                .flat_map(|ImplicitEquation { left, right, .. }| [left, right])
+                .collect(),
+            ItemKind::Function(Function { lets, value, .. }) => { lets.$iter() }
+                .map(|Let { value, .. }| value)
+                .chain([value])
+                .collect(),
+            ItemKind::Body(Body { parts, .. }) | ItemKind::Claim(Body { parts, .. }) => {
+                { parts.$iter() }
+                    .flat_map(|BodyPart { kind, .. }| match kind {
+                        BodyPartKind::Value(value) => vec![value],
+                        BodyPartKind::Inertia(own) => {
+                            own.rows.$iter().flatten().flatten().collect()
+                        }
+                        _ => Vec::new(),
+                    })
+                    .collect()
+            }
+            ItemKind::Array(Array { statement, .. }) => statement.$roots(),
+            other => other.$value().into_iter().collect(),
+        }
+    };
+}
+
 impl ItemKind {
     /// Right-hand side of a `let`, load, equation, observation or clock statement; `None` for other kinds of statement.
     pub fn value(&self) -> Option<&Expr> {
@@ -163,44 +192,14 @@ impl ItemKind {
         value!(self)
     }
 
-    /// Calls `visit` with each expression of a statement that is evaluated during a flight.
-    pub(crate) fn expressions_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
-        if let Some(value) = self.value_mut() {
-            return visit(value);
-        }
-        match self {
-            ItemKind::Limit(limit) => visit(&mut limit.value),
-            ItemKind::Solve(solve) => solve.sides_mut().for_each(visit),
-            ItemKind::Balance(own) => {
-                visit(&mut own.quantity);
-                visit(&mut own.change);
-            }
-            ItemKind::Array(array) => array.statement.expressions_mut(visit),
-            ItemKind::Function(function) => {
-                function
-                    .lets
-                    .iter_mut()
-                    .for_each(|own| visit(&mut own.value));
-                visit(&mut function.value);
-            }
-            ItemKind::Claim(claim) => {
-                for part in &mut claim.parts {
-                    match &mut part.kind {
-                        ClaimPartKind::Inertia(inertia) => {
-                            inertia
-                                .rows
-                                .iter_mut()
-                                .flatten()
-                                .flatten()
-                                .for_each(&mut *visit);
-                        }
-                        ClaimPartKind::Value(value) => visit(value),
-                        _ => {}
-                    }
-                }
-            }
-            _ => {}
-        }
+    /// Expressions of a statement that are not part of another one, in order; none of an effect.
+    pub fn roots(&self) -> Vec<&Expr> {
+        roots!(self, iter, value, roots)
+    }
+
+    /// Mutable [`ItemKind::roots`].
+    pub fn roots_mut(&mut self) -> Vec<&mut Expr> {
+        roots!(self, iter_mut, value_mut, roots_mut)
     }
 
     /// Class of a statement that an effect may replace, as in messages, and its name; a clock has none.

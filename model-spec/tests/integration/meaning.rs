@@ -266,7 +266,7 @@ fn effects_add_up_and_do_not_undo_one_another() {
     assert_eq!(all.text(named(&all, "drag").span), "previous*(1 + k)");
     assert_eq!(all.forces.len(), 1);
     assert_eq!(all.forces[0].effect, Some(3));
-    assert_eq!(all.offers.len(), 4);
+    assert_eq!(all.tree.effects().count(), 4);
     let undone = with(&["more", "fresh"]).unwrap_err();
     assert!(
         undone

@@ -123,7 +123,6 @@ fn an_effect_may_bring_a_table() {
     assert!(plain.tables.is_empty());
     let with = from_text("probe.hyz", &text, &["sheltered"]).unwrap();
     assert_eq!(with.tables.len(), 1);
-    assert_eq!(with.tables[0].effect, Some(0));
 }
 
 #[test]

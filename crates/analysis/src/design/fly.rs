@@ -64,10 +64,10 @@ impl ThrowFlights<'_> {
             entries.extend(moved.map(|(s, value)| (s, column, value)));
             columns.push(column);
         }
-        let rhs = self.bound.rhs();
-        // The state indices of the first columns are irrelevant: these columns start along directions of the throw.
-        let mut rhs = Sensitivities::new(rhs, &vec![0; throws], &of_parameters);
-        let augmented = rhs.initial_state_with(&state, &entries);
+        let mut rhs = self.bound.rhs();
+        // The first columns start along directions of the throw.
+        let mut rhs = Sensitivities::new(&mut rhs, throws, &of_parameters);
+        let augmented = rhs.initial_state(&state, &entries);
         let mut events = self.bound.limits_on::<AlignedVec>();
         events.push(Event::falls_to("ground", self.body.position[2], 0.0).terminal());
         let end = Release::MAX_DURATION;

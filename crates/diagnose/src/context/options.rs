@@ -127,7 +127,7 @@ impl DiagnosisOptions<'_> {
             }
         }
         self.throws.validate()?;
-        let own = model.offers.iter().map(|offer| offer.name.as_str());
+        let own = model.tree.effects().map(|own| own.name.text.as_str());
         let built_in = model_spec::load::EFFECTS.iter();
         let known: Vec<&str> = own.chain(built_in.map(|effect| effect.0)).collect();
         let unknown = |name: &&String| !known.contains(&identifier(name).as_str());

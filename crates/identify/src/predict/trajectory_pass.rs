@@ -40,19 +40,16 @@ impl TrajectoryPass<'_> {
         mut each: impl FnMut(ObservedPoint<'_>),
     ) -> Result<SensitivityLayout, FlightError> {
         let (problem, observations) = (self.problem, self.observations);
-        // Only the number of directions matters here; their columns are initialised with the tangent of the manifold.
-        let directions: Vec<usize> = (0..columns.integrated).collect();
         let parameters: Vec<usize> = columns
             .parameters
             .iter()
             .copied()
             .map(ParamId::index)
             .collect();
-        let mut variations = Sensitivities::new(motion, &directions, &parameters);
+        let mut variations = Sensitivities::new(motion, columns.integrated, &parameters);
         let places = variations.layout();
         let tangent = observations.manifold.tangent(self.local.as_slice());
-        let start =
-            variations.initial_state_with(self.local.as_slice(), &columns.tangent(&tangent));
+        let start = variations.initial_state(self.local.as_slice(), &columns.tangent(&tangent));
         if observations.is_summary {
             let of = ((problem, observations), self.global, self.tolerance);
             summary_pass::each_point(of, &mut variations, &start, columns, each)?;

@@ -4,8 +4,7 @@ use super::{ROUND_TO_INTEGER, polynomial};
 use crate::primitive::Primitive;
 use std::f64::consts::LOG2_E;
 
-/// ln 2 as the sum of head and tail: the head has 42 bits, so that its products with integers of up to 11 bits are
-/// exact.
+/// ln 2 as head and tail: the head has 42 bits, so that its products with integers of 11 bits are exact.
 const LN_2: [f64; 2] = [
     f64::from_bits(0x3fe6_2e42_fefa_3800),
     5.497_923_018_708_371e-14,
@@ -33,8 +32,7 @@ fn exp2_integer<T: Primitive>(integer: T) -> T {
 
 #[inline(always)]
 pub(crate) fn exp<T: Primitive>(x: T) -> T {
-    // Outside [-746, 710] the result is 0 or infinite. NaN passes both selections, since comparisons with NaN are
-    // false.
+    // Outside [-746, 710] the result is 0 or infinite; NaN passes both selections.
     let x = T::select(x.lt(T::broadcast(-746.0)), T::broadcast(-746.0), x);
     let x = T::select(T::broadcast(710.0).lt(x), T::broadcast(710.0), x);
     let twos = x.mul_add_op(T::broadcast(LOG2_E), T::broadcast(ROUND_TO_INTEGER))

@@ -14,8 +14,7 @@ const FRAC_PI_4_REST: f64 = 3.061_616_997_868_383e-17;
 /// Maximum tangent for which `atan2` evaluates the polynomial for the angle itself.
 const MAX_DIRECT_TANGENT: f64 = 0.5625;
 
-/// Polynomial coefficients of (atan(q)/q - 1)/z in powers of z = q², q up to `MAX_DIRECT_TANGENT`, by Remez exchange;
-/// relative error 5e-18.
+/// Coefficients of (atan(q)/q - 1)/z in powers of z = q² up to `MAX_DIRECT_TANGENT`, by Remez exchange; error 5e-18.
 const TANGENT: [f64; 13] = [
     -0.3333333333333314,
     0.199999999999424,

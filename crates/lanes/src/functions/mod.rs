@@ -7,8 +7,7 @@ pub(crate) mod trigonometric;
 
 use crate::primitive::Primitive;
 
-/// Rounding constant 1.5 · 2^52: adding and subtracting it rounds to the nearest integer, whose bits are the low bits
-/// of the sum.
+/// 1.5 · 2^52: adding and subtracting it rounds to the nearest integer, the low bits of the sum.
 const ROUND_TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
 /// Polynomial `c[0] + c[1] x + c[2] x² + …` by Estrin's scheme, whose two halves are evaluated independently.

@@ -12,8 +12,7 @@ pub(crate) const MAX_LANES: usize = 8;
 
 /// Flight, time, step size and step counts of each SIMD lane of a batch integration.
 pub(crate) struct Control {
-    /// Number that identifies the flight in each SIMD lane, as returned by `FlightQueue::next`; `None` if the lane is
-    /// idle.
+    /// Number of the flight in each lane, as returned by `FlightQueue::next`; `None` if the lane is idle.
     pub flight: [Option<u64>; MAX_LANES],
     pub t: [f64; MAX_LANES],
     pub proposed: [f64; MAX_LANES],
@@ -65,8 +64,7 @@ impl Control {
         }
     }
 
-    /// Starts the flight number `flight` in a lane at time 0, with the initial step size `h` and the initial height
-    /// `height`.
+    /// Starts the flight number `flight` in a lane at time 0, with the step size `h` and the height `height`.
     #[inline(always)]
     pub(crate) fn start(&mut self, lane: usize, flight: u64, h: f64, height: f64) {
         self.flight[lane] = Some(flight);
@@ -97,8 +95,7 @@ impl Control {
         }
     }
 
-    /// Sets the size and the end time of the next step in the first `lanes` SIMD lanes; the size is 0 in lanes without
-    /// a flight.
+    /// Sets size and end time of the next step in the first `lanes` lanes; the size is 0 in idle lanes.
     #[inline(always)]
     pub(crate) fn set_steps(&mut self, lanes: usize) {
         for lane in 0..lanes {
@@ -125,8 +122,7 @@ impl Control {
         }
     }
 
-    /// For every SIMD lane whose error norm is at most 1, counts the step as accepted and proposes the size of the next
-    /// step.
+    /// Counts the step of every lane whose error norm is at most 1 as accepted, and proposes the next size.
     #[inline(always)]
     #[allow(clippy::needless_range_loop)]
     pub(crate) fn accept(&mut self, errors: &[f64; MAX_LANES]) {
@@ -163,8 +159,7 @@ impl Control {
         self.proposed[lane] > self.min_step
     }
 
-    /// Updates the apex (time and value of the maximum height) of the flight in a lane if `height` exceeds the maximum
-    /// so far.
+    /// Updates time and value of the maximum height of the flight in a lane.
     #[inline(always)]
     pub(crate) fn rise(&mut self, lane: usize, time: f64, height: f64) {
         if height > self.apex[lane].1 {

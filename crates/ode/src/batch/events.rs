@@ -30,24 +30,21 @@ impl HeightEnds {
         self.dips()
     }
 
-    /// Whether the cubic interpolant of the height comes to 0 within the step, but for its difference from the dense
-    /// output.
+    /// Whether the cubic interpolant of the height comes to 0, but for its difference from the dense output.
     #[inline(never)]
     fn dips(&self) -> bool {
         let ends = (self.start, self.end, self.start_slope, self.end_slope);
         cubic_minimum(ends) <= HERMITE_MARGIN * self.chord_distance()
     }
 
-    /// Bound of the distance of the cubic from the straight line between its ends: a quarter of the sum of the absolute
-    /// slopes and the absolute change of height.
+    /// Bound of the distance of the cubic from its chord: (|slopes| + |change of height|) / 4.
     #[inline(always)]
     fn chord_distance(&self) -> f64 {
         let slopes = self.start_slope.abs() + self.end_slope.abs();
         0.25 * (slopes + (self.end - self.start).abs())
     }
 
-    /// Whether the cubic interpolant may reach 0 within the step, by a bound that is cheaper to compute than
-    /// [`may_land`](Self::may_land).
+    /// Whether the cubic may reach 0 within the step, by a cheaper bound than [`may_land`](Self::may_land).
     #[inline(always)]
     pub(crate) fn is_near_ground(&self) -> bool {
         self.start.min(self.end) <= self.chord_distance()
@@ -63,8 +60,7 @@ impl HeightEnds {
         (least <= first) && (first <= greatest) && (least <= last) && (last <= greatest)
     }
 
-    /// Whether the cubic interpolant of the height falls monotonically from above 0 to below 0, so that it has exactly
-    /// one zero.
+    /// Whether the cubic falls monotonically from above 0 to below 0, so that it has exactly one zero.
     fn falls_once(&self) -> bool {
         self.start > 0.0 && self.end < 0.0 && self.is_monotone()
     }
@@ -143,8 +139,7 @@ impl HeightStep {
         found.first().copied()
     }
 
-    /// Locates the zero of the height by Newton's method, started at the zero of the chord; `first` and `last` are the
-    /// heights at the start and the end of the step.
+    /// Locates the zero of the height, `first` and `last` at the ends of the step, by Newton's method from the chord's.
     fn newton(&self, (first, last): (f64, f64), width: f64) -> Option<f64> {
         let mut s = first / (first - last);
         for _ in 0..NEWTON_STEPS {
@@ -159,8 +154,7 @@ impl HeightStep {
         (is_past && self.height(past - width) > 0.0).then_some(past)
     }
 
-    /// Fraction of the step at which the height has its maximum, for a step in which the height first rises and then
-    /// falls.
+    /// Fraction of the step at which the height, which first rises and then falls, has its maximum.
     pub(crate) fn peak(&self) -> f64 {
         let slope = |s: f64| self.slope(s);
         let (first, last) = (slope(0.0), slope(1.0));

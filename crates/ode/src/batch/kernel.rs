@@ -15,8 +15,7 @@ use crate::options::IntegrationOptions;
 use crate::time_breaks::just_after;
 use lanes::{Kernel, LaneKernel, Lanes};
 
-/// SIMD kernel that integrates all flights of a queue and returns the number of vector evaluations of the right-hand
-/// side.
+/// Kernel that integrates all flights of a queue and returns the number of vector evaluations.
 pub(crate) struct Batch<'a, R> {
     pub rhs: &'a R,
     pub queue: &'a mut dyn FlightQueue,
@@ -39,8 +38,7 @@ impl<R: LaneRhs> Kernel for Batch<'_, R> {
     }
 }
 
-/// SIMD kernel with the loop over the steps of a batch integration; it does not depend on the type of the right-hand
-/// side.
+/// Kernel with the loop over the steps, which does not depend on the type of the right-hand side.
 struct StepLoop<'a, T> {
     lanes: Flying<'a, T>,
     queue: &'a mut dyn FlightQueue,
@@ -129,8 +127,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
         }
     }
 
-    /// Starts, in each idle SIMD lane, the flight that waits for the lane, and takes further waiting flights from the
-    /// queue.
+    /// Starts, in each idle lane, the flight that waits for it, and takes further flights from the queue.
     #[inline(always)]
     fn refill(&mut self, queue: &mut dyn FlightQueue) {
         loop {
@@ -229,8 +226,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
         self.evaluations += rows.len() as u64;
     }
 
-    /// Applies the error test and returns for each lane whether its step is accepted. Ends the flights whose next step
-    /// size would be below the minimum.
+    /// Applies the error test; ends flights whose next step would be too small. Whether each lane's step is accepted.
     #[inline(always)]
     fn judge(&mut self, h: T, queue: &mut dyn FlightQueue) -> [bool; MAX_LANES] {
         let ends = (&self.values.x[..], &self.end[..]);
@@ -252,8 +248,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
         accepted
     }
 
-    /// Returns for each lane whether a landing, an apex or the crossing of a limit of validity is possible within its
-    /// accepted step; false if the step was rejected.
+    /// Whether a landing, an apex or the crossing of a limit is possible within each lane's accepted step.
     #[inline(always)]
     fn attention(&mut self, t: T, h: T, accepted: &[bool; MAX_LANES]) -> [bool; MAX_LANES] {
         let mut asks = [false; MAX_LANES];

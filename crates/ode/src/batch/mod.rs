@@ -1,7 +1,7 @@
 //! Integration of many initial value problems at once: one problem ("flight") per SIMD lane, each with its own step
 //! sizes and events.
 //!
-//! [`fly`] reads flights from a [`FlightQueue`] and integrates them as [`integrate_to_end`](crate::integrate_to_end)
+//! [`fly_on`] reads flights from a [`FlightQueue`] and integrates them as [`integrate_to_end`](crate::integrate_to_end)
 //! would, with the same method, step-size control and event location. A lane whose flight has ended starts the next
 //! flight at once. The arithmetic of a lane is independent of the other lanes: the result of a flight is bit-identical
 //! whatever flights are integrated in the other lanes. Nothing is allocated per flight.
@@ -16,7 +16,7 @@ mod staging;
 
 use crate::input::is_valid;
 use crate::options::{IntegrationOptions, SolverStats};
-use lanes::{Isa, Lanes, dispatch, dispatch_widest, dispatch_with};
+use lanes::{Isa, Lanes, dispatch_widest, dispatch_with};
 
 /// Lengths of the arrays that a [`LaneRhs`] reads and writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,8 +62,7 @@ pub trait LaneRhs {
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
         let _ = (p, breaks);
     }
-    /// Writes the margin of each limit of validity to `margins`; the right-hand side is valid where all margins are
-    /// above 0.
+    /// Writes the margin of each limit of validity; the right-hand side is valid where all are above 0.
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
 }
 
@@ -134,28 +133,13 @@ impl FlightSpan {
     }
 }
 
-/// Integrates all flights of a queue on the widest lanes of the processor.
-///
-/// Returns the number of vector evaluations of the right-hand side. A vector evaluation counts once for all lanes,
-/// including lanes without a flight.
+/// Integrates all flights of a queue on the SIMD lanes of one instruction set. Returns the number of vector evaluations
+/// of the right-hand side, each for all lanes, including those without a flight; `None` if the processor does not support
+/// the instruction set.
 ///
 /// # Panics
 /// If a tolerance, a step bound or the final time is not a positive number, if the right-hand side has no states, or if
 /// the height is not a state.
-pub fn fly<R: LaneRhs>(
-    rhs: &R,
-    queue: &mut dyn FlightQueue,
-    span: &FlightSpan,
-    options: &IntegrationOptions,
-) -> u64 {
-    dispatch(batch(rhs, queue, span, options))
-}
-
-/// Integrates all flights of a queue on the SIMD lanes of one instruction set, and returns the number of vector
-/// evaluations of the right-hand side. `None` if the processor does not support the instruction set.
-///
-/// # Panics
-/// Under the same conditions as [`fly`].
 pub fn fly_on<R: LaneRhs>(
     isa: Isa,
     rhs: &R,
@@ -170,9 +154,6 @@ pub fn fly_on<R: LaneRhs>(
 /// evaluations of the right-hand side. The integration is compiled only for the widest instruction sets of the
 /// architecture (see [`lanes::dispatch_widest`]). Returns `None` if `isa` is not one of these, or if the processor does
 /// not support it.
-///
-/// # Panics
-/// Under the same conditions as [`fly`].
 pub fn fly_on_widest<R: LaneRhs>(
     isa: Isa,
     rhs: &R,
@@ -184,7 +165,7 @@ pub fn fly_on_widest<R: LaneRhs>(
 }
 
 /// Checks the options, the final time, the number of states and the index of the height, and returns the kernel that
-/// integrates the flights. Panics under the conditions of [`fly`].
+/// integrates the flights. Panics under the conditions of [`fly_on`].
 fn batch<'a, R: LaneRhs>(
     rhs: &'a R,
     queue: &'a mut dyn FlightQueue,

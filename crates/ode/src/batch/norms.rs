@@ -5,8 +5,7 @@ use crate::method::ErrorTolerance;
 use crate::method::tableau::{Row, Tableau};
 use lanes::Lanes;
 
-/// Tolerated error `atol + rtol · max(|a|, |b|)`, in each lane, of a state component with the values `a` and `b` at the
-/// start and end of a step.
+/// Tolerated error `atol + rtol · max(|a|, |b|)`, in each lane, of a state component from `a` to `b`.
 #[inline(always)]
 fn scale<T: Lanes>(tolerance: &ErrorTolerance, a: T, b: T) -> T {
     let greatest = a.abs().max(b.abs());
@@ -44,8 +43,7 @@ pub(crate) fn error_norm<T: Lanes>(
     if tableau.errors.len() == 1 {
         return h * (sum_5 * T::splat(1.0 / n as f64)).sqrt();
     }
-    // No error estimate uses the derivative at the end of the step; adding 0 times that derivative makes the norm NaN
-    // if it is not finite.
+    // No estimate uses the derivative at the end; adding 0 times that makes the norm NaN if it is not finite.
     let mut last = zero;
     for rate in stages.stage(tableau.rows.len()) {
         last = zero.mul_add(*rate, last);
@@ -56,8 +54,7 @@ pub(crate) fn error_norm<T: Lanes>(
     h * sum_5 * both.if_zero(zero, T::splat(1.0) / both.sqrt())
 }
 
-/// Error estimates, divided by the step size, of the components `start..end` (at most [`BLOCK`] components) with the
-/// stage weights `row`; the remaining elements are 0.
+/// Error estimates over the step size with the weights `row`, of the components `start..end`, else 0.
 // A function, since a closure need not be inlined.
 #[inline(always)]
 fn errors<T: Lanes>(stages: &Stages<T>, row: Row, start: usize, end: usize) -> [T; BLOCK] {
@@ -71,8 +68,7 @@ fn errors<T: Lanes>(stages: &Stages<T>, row: Row, start: usize, end: usize) -> [
     sums
 }
 
-/// Root mean squares of the state `x` and of its time derivative `dx` in each lane, each component divided by its
-/// tolerated error at `x`.
+/// Root mean squares of state and derivative in each lane, relative to the tolerated error at `x`.
 #[inline(always)]
 pub(crate) fn initial_norms<T: Lanes>(x: &[T], dx: &[T], tolerance: &ErrorTolerance) -> [T; 2] {
     let n = x.len();
@@ -87,8 +83,7 @@ pub(crate) fn initial_norms<T: Lanes>(x: &[T], dx: &[T], tolerance: &ErrorTolera
     [(of_x * one_over_n).sqrt(), (of_dx * one_over_n).sqrt()]
 }
 
-/// Root mean square of `after - before` in each lane, each state component divided by its tolerated error at the state
-/// `x`.
+/// Root mean square of `after - before` in each lane, relative to the tolerated error at `x`.
 #[inline(always)]
 pub(crate) fn change_norm<T: Lanes>(
     x: &[T],

@@ -3,12 +3,10 @@
 use crate::method::tableau::{Row, Tableau};
 use lanes::Lanes;
 
-/// Number of state components whose weighted stage sums are accumulated in parallel: independent accumulators hide the
-/// latency of the additions.
+/// Number of components summed in parallel: independent accumulators hide the latency of the additions.
 pub(crate) const BLOCK: usize = 6;
 
-/// Stage derivatives of a Runge–Kutta step in all SIMD lanes: component i of stage s is at index `s · n + i` of `k`,
-/// where n is the number of states.
+/// Stage derivatives of a step in all lanes: component i of stage s is at index `s · n + i` of `k`.
 pub(crate) struct Stages<T> {
     pub n: usize,
     pub k: Vec<T>,
@@ -34,8 +32,7 @@ impl<T: Lanes> Stages<T> {
         &mut self.k[s * self.n..][..self.n]
     }
 
-    /// Component `i` of the weighted sum of the stage derivatives over the stages, Σ weight · stage, with the weights
-    /// `row`.
+    /// Component `i` of the sum of the stage derivatives over the stages, Σ weight · stage, with the weights `row`.
     #[inline(always)]
     pub(crate) fn sum(&self, row: Row, i: usize) -> T {
         let mut sum = T::splat(0.0);

@@ -54,8 +54,7 @@ pub(crate) struct Staging<T> {
     pub dx: Vec<T>,
     /// Margins of the limits of validity at the initial states.
     margins: Vec<T>,
-    /// Number that identifies the flight that waits for each lane, as returned by `FlightQueue::next`; `None` if no
-    /// flight waits.
+    /// Number of the flight that waits for each lane, as returned by `FlightQueue::next`, if any.
     pub flight: [Option<u64>; MAX_LANES],
     pub h: [f64; MAX_LANES],
     pub breaks: [Vec<f64>; MAX_LANES],
@@ -171,8 +170,7 @@ impl<T: Lanes> Staging<T> {
         }
     }
 
-    /// Takes flights from the queue until one has a finite initial state and finite parameters; that flight then waits
-    /// for the lane.
+    /// Takes flights from the queue until one is finite, which then waits for the lane.
     #[inline(always)]
     fn draw(
         &mut self,

@@ -58,8 +58,7 @@ pub(crate) struct ErrorTolerance {
 }
 
 impl ErrorTolerance {
-    /// Tolerated error `atol + rtol · max(|a|, |b|)` of a state component with the values `a` and `b` at the start and
-    /// end of a step.
+    /// Tolerated error `atol + rtol · max(|a|, |b|)` of a component with the values `a` and `b` at the ends of a step.
     #[inline(always)]
     pub(crate) fn scale(&self, a: f64, b: f64) -> f64 {
         self.atol + self.rtol * a.abs().max(b.abs())
@@ -69,8 +68,7 @@ impl ErrorTolerance {
 /// Explicit Runge–Kutta stepper: computes the stages, error norm and dense output of a step.
 pub(crate) struct Stepper<X> {
     pub tableau: &'static Tableau,
-    /// Stage derivatives; the first is the derivative at the start of the step. An array: a vector makes a short step a tenth
-    /// slower.
+    /// Stage derivatives; the first is that at the start. An array: a vector makes a short step a tenth slower.
     k: [X; MAX_STAGES],
     pub x: X,
     stage: X,
@@ -96,8 +94,7 @@ impl<X: StateVector> Stepper<X> {
         self.tableau.rows.len()
     }
 
-    /// Computes a step of size `h` from the time `t` and returns its error norm, acceptable up to 1; NaN or infinite
-    /// where the right-hand side is not finite.
+    /// Computes a step of size `h` from the time `t` and returns its error norm, acceptable up to 1; NaN if not finite.
     #[inline(always)]
     pub fn try_step<D: OdeRhs<State = X>>(
         &mut self,
@@ -182,8 +179,7 @@ impl<X: StateVector> Stepper<X> {
         &self.k[self.last()]
     }
 
-    /// Dense-output rows (coefficient vectors) of an accepted step of size `h` from the time `t`; `buffer` stores rows
-    /// that are not stage derivatives.
+    /// Dense-output rows of an accepted step; `buffer` stores rows that are not stage derivatives.
     #[inline(always)]
     pub fn dense_rows<'s, D: OdeRhs<State = X>>(
         &'s mut self,
@@ -213,8 +209,7 @@ impl<X: StateVector> Stepper<X> {
     }
 }
 
-/// Evaluates the stage `s` of a step of size `h` from the time `t` and the state `from`; `to` is the argument of the
-/// stage.
+/// Evaluates the stage `s` of a step of size `h` from the time `t` and the state `from`, with the argument `to`.
 #[inline(always)]
 fn stage<X: StateVector, D: OdeRhs<State = X>, const N: usize>(
     rhs: &mut D,
@@ -231,8 +226,7 @@ fn stage<X: StateVector, D: OdeRhs<State = X>, const N: usize>(
 /// Maximum number of nonzero weights in a row of the Runge–Kutta matrices.
 const MAX_WEIGHTS: usize = 9;
 
-/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are the derivatives of earlier
-/// stages and `row` their weights.
+/// Argument of a stage: `to = from + h Σ weight · k`, with derivatives `k` of earlier stages weighted by `row`.
 #[inline(always)]
 pub(crate) fn combine<X: StateVector>(to: &mut X, from: &X, h: f64, row: &[(usize, f64)], k: &[X]) {
     match row.len() {

@@ -10,8 +10,7 @@ pub(crate) const MIN_SIMD_LEN: usize = 64;
 /// length is known to the compiler, so that the loops have no bounds checks.
 const BLOCK: usize = 8;
 
-/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are derivatives computed by
-/// earlier stages. All slices of numbers have one length.
+/// Argument of a stage: `to = from + h Σ weight · k`, with derivatives `k` of earlier stages of equal length.
 // Not generic, so that programs do not compile the kernels again for each of their right-hand sides.
 pub(crate) fn combine(to: &mut [f64], from: &[f64], h: f64, weights: &[f64], k: &[&[f64]]) {
     macro_rules! stages {
@@ -31,8 +30,7 @@ pub(crate) fn combine(to: &mut [f64], from: &[f64], h: f64, weights: &[f64], k: 
     stages!(1 2 3 4 5 6 7 8 9);
 }
 
-/// Kernel that computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are derivatives
-/// computed by earlier stages.
+/// Kernel that computes the argument of a stage: `to = from + h Σ weight · k`.
 struct Combine<'a, const M: usize> {
     to: &'a mut [f64],
     from: &'a [f64],

@@ -100,8 +100,7 @@ pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     weights
 }
 
-/// Weight of each stage in the order-4 interpolant, as the coefficients of s, s², s³ and s⁴, where s is the fraction of
-/// the step.
+/// Weight of each stage in the order-4 interpolant: coefficients of s, s², s³ and s⁴, the fraction s of the step.
 pub(crate) const INTERPOLANT: [[f64; 4]; ROWS - 1] = [
     first_weight(),
     even_weight(0.1017, 2.196_656_833_824_975_4, 1.294_985_250_737_463),
@@ -132,14 +131,12 @@ const fn first_weight() -> [f64; 4] {
     [-a * b * d, a * (d + b * c), -a * (b + c), a]
 }
 
-/// Coefficients of s, s², s³ and s⁴ in a stage's dense-output weight of the form a s² (s² - c s + d), where s is the
-/// fraction of the step.
+/// Coefficients of s, s², s³ and s⁴ in a stage's dense-output weight a s² (s² - c s + d).
 const fn even_weight(a: f64, c: f64, d: f64) -> [f64; 4] {
     [0.0, a * d, -a * c, a]
 }
 
-/// Coefficients of s, s², s³ and s⁴ in a stage's dense-output weight of the form a s² (s - b) (s - c), where s is the
-/// fraction of the step.
+/// Coefficients of s, s², s³ and s⁴ in a stage's dense-output weight a s² (s - b) (s - c).
 const fn zeros_weight(a: f64, b: f64, c: f64) -> [f64; 4] {
     even_weight(a, b + c, b * c)
 }

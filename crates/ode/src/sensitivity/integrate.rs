@@ -8,9 +8,6 @@ use crate::{AlignedVec, Endpoint, Event, IntegrationError, IntegrationOptions, T
 
 impl Sensitivities<'_> {
     /// [`integrate_at`](crate::integrate_at) from the time `start.0` and the augmented state `start.1`.
-    ///
-    /// # Errors
-    /// [`IntegrationError`] if the integration fails; those of the other methods are the same.
     pub fn integrate_at(
         &mut self,
         start: (f64, &AlignedVec),

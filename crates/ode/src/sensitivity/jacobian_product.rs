@@ -9,14 +9,11 @@ const MAX_BLOCK_ROWS: usize = 3;
 /// Maximum number of SIMD vectors of a row of J S that are accumulated together.
 const MAX_VECTORS: usize = 4;
 
-/// Sparsity pattern of the Jacobian J, grouped into blocks of rows with equal column indices, for the product J S with
-/// the sensitivity matrix S.
+/// Sparsity pattern of the Jacobian J in blocks of rows with equal columns, for the product J S.
 pub(super) struct JacobianProduct {
-    /// Blocks of Jacobian rows with equal column indices, in increasing order of column count, so that the branch
-    /// predictor learns the loop lengths.
+    /// Blocks in increasing order of column count, so that the branch predictor learns the loop lengths.
     blocks: Vec<Block>,
-    /// Column indices of all blocks, concatenated. Column j multiplies row j of the sensitivity matrix S. It is stored
-    /// as the index of the first element of that row.
+    /// For each column index of all blocks, the index of the first element of the row of S that it multiplies.
     columns: Vec<usize>,
     /// Length of a row of the sensitivity matrix S in elements, a whole number of SIMD vectors.
     stride: usize,
@@ -27,8 +24,7 @@ struct Block {
     count: usize,
     /// For each row of the block, the index of the first element of the corresponding row of the product J S.
     rows: [usize; MAX_BLOCK_ROWS],
-    /// For each row of the block, the index of the row's first entry among the entries of the Jacobian J; the other
-    /// entries of the row follow directly.
+    /// For each row of the block, the index of its first entry in J; its other entries follow directly.
     entries: [usize; MAX_BLOCK_ROWS],
     /// Range of the elements of `JacobianProduct::columns` that belong to the block.
     columns: Range<usize>,
@@ -106,8 +102,7 @@ impl Sums<'_> {
         }
     }
 
-    /// Computes `VECTORS` consecutive SIMD vectors, from the element `first` on, of the `ROWS` rows of the product J S
-    /// that belong to a block.
+    /// Computes `VECTORS` consecutive SIMD vectors from `first` on of the `ROWS` rows of J S of a block.
     // The counts are const parameters, so that the sums remain in registers.
     #[inline(always)]
     fn sum<T: Lanes, const VECTORS: usize, const ROWS: usize>(

@@ -36,76 +36,40 @@ pub trait DifferentiableRhs {
     }
 }
 
-impl<M: DifferentiableRhs + ?Sized> DifferentiableRhs for &mut M {
-    fn states(&self) -> usize {
-        (**self).states()
-    }
-
-    fn jacobian_pattern(&self) -> &[(usize, usize)] {
-        (**self).jacobian_pattern()
-    }
-
-    fn parameter_jacobian_pattern(&self) -> &[(usize, usize)] {
-        (**self).parameter_jacobian_pattern()
-    }
-
-    fn derivative_with_jacobians(
-        &mut self,
-        t: f64,
-        x: &[f64],
-        dx: &mut [f64],
-        jacobian: &mut [f64],
-        parameter_jacobian: &mut [f64],
-    ) {
-        (**self).derivative_with_jacobians(t, x, dx, jacobian, parameter_jacobian);
-    }
-
-    fn time_breaks(&self) -> &[f64] {
-        (**self).time_breaks()
-    }
-
-    fn state_name(&self, state: usize) -> Cow<'_, str> {
-        (**self).state_name(state)
-    }
-}
-
 /// Augmented right-hand side for the state x and its sensitivities S = ∂x/∂(initial states, parameters).
 ///
 /// The augmented state vector contains x, then S row by row, both padded with zeros; see [`SensitivityLayout`].
 /// [`initial_state`](Self::initial_state) builds the initial state vector. Only x is in the error norm of the step-size
-/// control, so that the steps are those of x alone, unless
-/// [`with_sensitivity_error_control`](Self::with_sensitivity_error_control) is called.
+/// control, so that the steps are those of x alone.
 ///
 /// [`integrate_at`](Self::integrate_at), [`integrate_to_event`](Self::integrate_to_event) and
 /// [`integrate_with_callback`](Self::integrate_with_callback) integrate it as the generic functions of the same names do,
 /// without compiling the solver again in the calling crate.
 pub struct Sensitivities<'m> {
-    rhs: Box<dyn DifferentiableRhs + 'm>,
+    rhs: &'m mut dyn DifferentiableRhs,
     layout: SensitivityLayout,
-    /// State index of each leading column of the sensitivity matrix S; the leading columns are derivatives with respect
-    /// to initial states.
-    initial: Vec<usize>,
     product: JacobianProduct,
     /// Terms that the parameter Jacobian Jp = ∂f/∂p adds to dS/dt, the time derivative of the sensitivity matrix S:
     /// (index of the entry in Jp, index of the element in S).
     parameter_terms: Vec<(usize, usize)>,
     jacobian: Vec<f64>,
     parameter_jacobian: Vec<f64>,
-    error_control_includes_s: bool,
 }
 
 impl<'m> Sensitivities<'m> {
-    /// Builds the augmented right-hand side. The first columns of the sensitivity matrix S are derivatives with respect
-    /// to the initial values of the states with the indices `initial`; the following columns are derivatives with
-    /// respect to the parameters with the indices `parameters` in the parameter Jacobian ∂f/∂p.
+    /// Builds the augmented right-hand side. The first columns of the sensitivity matrix S are derivatives along
+    /// `directions` in the space of initial states, which [`initial_state`](Self::initial_state) sets; the following
+    /// columns are derivatives with respect to the parameters with the indices `parameters` in ∂f/∂p.
     ///
     /// # Panics
-    /// If a state in `initial` does not exist, or the entries of the Jacobian ∂f/∂x are not ordered by row.
-    pub fn new(rhs: impl DifferentiableRhs + 'm, initial: &[usize], parameters: &[usize]) -> Self {
-        let rhs: Box<dyn DifferentiableRhs + 'm> = Box::new(rhs);
+    /// If the entries of the Jacobian ∂f/∂x are not ordered by row.
+    pub fn new(
+        rhs: &'m mut dyn DifferentiableRhs,
+        directions: usize,
+        parameters: &[usize],
+    ) -> Self {
         let states = rhs.states();
-        assert!(initial.iter().all(|i| *i < states), "states of the model");
-        let columns = initial.len() + parameters.len();
+        let columns = directions + parameters.len();
         // Rows consist of whole SIMD vectors.
         let width = lanes::Isa::best().width();
         let stride = columns.next_multiple_of(width);
@@ -113,7 +77,7 @@ impl<'m> Sensitivities<'m> {
         let parameter_terms = entries.flat_map(|(entry, (row, parameter))| {
             let columns = parameters.iter().enumerate();
             let columns = columns.filter(move |(_, p)| *p == parameter);
-            columns.map(move |(column, _)| (entry, row * stride + initial.len() + column))
+            columns.map(move |(column, _)| (entry, row * stride + directions + column))
         });
         let parameter_terms = parameter_terms.collect();
         let jacobian = vec![0.0; rhs.jacobian_pattern().len()];
@@ -128,50 +92,21 @@ impl<'m> Sensitivities<'m> {
                 first: states.next_multiple_of(width),
                 stride,
             },
-            initial: initial.to_vec(),
             rhs,
             product,
             parameter_terms,
             jacobian,
             parameter_jacobian,
-            error_control_includes_s: false,
         }
-    }
-
-    /// Includes the sensitivity matrix S in the error norm of the step-size control, with the same tolerances as the
-    /// state.
-    pub fn with_sensitivity_error_control(self) -> Self {
-        Sensitivities {
-            error_control_includes_s: true,
-            ..self
-        }
-    }
-
-    /// Number of columns of the sensitivity matrix S, without padding.
-    pub fn columns(&self) -> usize {
-        self.layout.columns
-    }
-
-    /// Augmented initial state: the state `x`, and the sensitivity matrix S, which has an entry of 1 for each initial
-    /// value with respect to which sensitivities are computed, and 0 elsewhere.
-    ///
-    /// # Panics
-    /// If the length of `x` is not the number of states.
-    pub fn initial_state(&self, x: &[f64]) -> AlignedVec {
-        let columns = self.initial.iter().enumerate();
-        let entries: Vec<_> = columns
-            .map(|(column, state)| (*state, column, 1.0))
-            .collect();
-        self.initial_state_with(x, &entries)
     }
 
     /// Augmented initial state: the state `x`, and the sensitivity matrix S with the given entries (state, column,
-    /// value) and all other entries 0. If a column contains a direction in the space of initial states, the integration
-    /// computes the derivative of the state along this direction.
+    /// value) and all other entries 0. A column that contains a direction in the space of initial states becomes the
+    /// derivative of the state along it.
     ///
     /// # Panics
     /// If the length of `x` is not the number of states, or a state or column does not exist.
-    pub fn initial_state_with(&self, x: &[f64], entries: &[(usize, usize, f64)]) -> AlignedVec {
+    pub fn initial_state(&self, x: &[f64], entries: &[(usize, usize, f64)]) -> AlignedVec {
         let layout = self.layout;
         assert_eq!(x.len(), layout.states, "one value per state");
         let mut augmented = AlignedVec::zeros(self.len());
@@ -194,21 +129,9 @@ impl<'m> Sensitivities<'m> {
     pub fn len(&self) -> usize {
         self.layout.first + self.layout.states * self.layout.stride
     }
-
-    /// State x within an augmented state vector.
-    pub fn state<'x>(&self, augmented: &'x [f64]) -> &'x [f64] {
-        self.layout.state(augmented)
-    }
-
-    /// Row of the sensitivity matrix S within an augmented state vector: derivatives of one state, by column, without
-    /// padding.
-    pub fn row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
-        &self.layout.padded_row(augmented, state)[..self.layout.columns]
-    }
 }
 
-/// Layout of the augmented state vector of [`Sensitivities`]: the state x, then the sensitivity matrix S row by row; x
-/// and each row of S are padded with zeros.
+/// Layout of the augmented state: x, then S row by row; x and each row of S are padded with zeros.
 #[derive(Clone, Copy, Debug)]
 pub struct SensitivityLayout {
     states: usize,
@@ -225,8 +148,7 @@ impl SensitivityLayout {
         0..self.states
     }
 
-    /// Index range, in the augmented state vector, of the row of the sensitivity matrix S that belongs to one state;
-    /// padding included.
+    /// Index range of the row of the sensitivity matrix S of one state, padding included.
     #[inline]
     pub fn row_range(&self, state: usize) -> Range<usize> {
         let first = self.first + state * self.stride;
@@ -238,8 +160,7 @@ impl SensitivityLayout {
         &augmented[self.state_range()]
     }
 
-    /// Row of the sensitivity matrix S that belongs to one state, within an augmented state vector, including the zeros
-    /// that pad the row.
+    /// Row of the sensitivity matrix S of one state within an augmented state vector, padding included.
     #[inline]
     pub fn padded_row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
         &augmented[self.row_range(state)]
@@ -265,11 +186,7 @@ impl OdeRhs for Sensitivities<'_> {
     }
 
     fn error_controlled_len(&self) -> usize {
-        if self.error_control_includes_s {
-            usize::MAX
-        } else {
-            self.layout.states
-        }
+        self.layout.states
     }
 
     fn time_breaks(&self) -> &[f64] {
@@ -335,10 +252,11 @@ mod tests {
 
     fn check_against_plain_loops(pattern: &[(usize, usize)], columns: usize) {
         let parameters = vec![0; columns];
-        let mut augmented = Sensitivities::new(Numbered(pattern.to_vec()), &[], &parameters);
+        let mut rhs = Numbered(pattern.to_vec());
+        let mut augmented = Sensitivities::new(&mut rhs, 0, &parameters);
         let value = |state: usize, column: usize| (state * 7 + column * 3) as f64;
         let entries = (0..4).flat_map(|s| (0..columns).map(move |c| (s, c, value(s, c))));
-        let at = augmented.initial_state_with(&[0.0; 4], &entries.collect::<Vec<_>>());
+        let at = augmented.initial_state(&[0.0; 4], &entries.collect::<Vec<_>>());
         let mut rates = at.clone();
         augmented.derivative(0.0, &at, &mut rates);
         for state in 0..4 {
@@ -349,7 +267,7 @@ mod tests {
                     .filter(|(_, (row, _))| *row == state);
                 let terms = entries.map(|(i, (_, other))| (i + 1) as f64 * value(*other, column));
                 let expected = terms.sum::<f64>() + if state == 2 { 100.0 } else { 0.0 };
-                let found = augmented.row(rates.as_ref(), state)[column];
+                let found = augmented.layout.padded_row(rates.as_ref(), state)[column];
                 assert_eq!(found, expected, "{state}, {column} of {columns}");
             }
         }

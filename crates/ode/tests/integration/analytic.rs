@@ -44,9 +44,10 @@ fn sensitivities_of_an_oscillator_equal_their_closed_form() {
             method,
             ..IntegrationOptions::with_tolerance(1e-12)
         };
-        let rhs = Oscillator { stiffness };
-        let mut augmented = Sensitivities::new(rhs, &[0, 1], &[0]).with_sensitivity_error_control();
-        let start = augmented.initial_state(&[x0, v0]);
+        let mut rhs = Oscillator { stiffness };
+        let mut augmented = Sensitivities::new(&mut rhs, 2, &[0]);
+        let start = augmented.initial_state(&[x0, v0], &[(0, 0, 1.0), (1, 1, 1.0)]);
+        let layout = augmented.layout();
         let mut states = vec![0.0; augmented.len() * times.len()];
         let from = (0.0, &start);
         integrate_at(&mut augmented, from, &times, &options, &mut [], &mut states).unwrap();
@@ -55,8 +56,8 @@ fn sensitivities_of_an_oscillator_equal_their_closed_form() {
             let by_frequency = -x0 * t * sin + v0 * (t * cos - sin / frequency) / frequency;
             let expected = [cos, sin / frequency, by_frequency / (2.0 * frequency)];
             let x = x0 * cos + v0 * sin / frequency;
-            assert!((augmented.state(state)[0] - x).abs() < 1e-9);
-            for (found, expected) in augmented.row(state, 0).iter().zip(expected) {
+            assert!((layout.state(state)[0] - x).abs() < 1e-9);
+            for (found, expected) in layout.padded_row(state, 0).iter().zip(expected) {
                 assert!(
                     (found - expected).abs() < 1e-9,
                     "{method:?} at t = {t}: {found}, expected {expected}"

@@ -2,7 +2,7 @@
 
 use ode::{
     FlightEnd, FlightOutcome, FlightQueue, FlightSpan, IntegrationOptions, LanePoint, LaneRhs,
-    LaneSizes, Method, fly, fly_on,
+    LaneSizes, Method, fly_on,
 };
 
 /// Test right-hand side x' = x², whose solution becomes infinite at the time 1 / x(0). The parameter is an upper limit
@@ -79,7 +79,7 @@ fn a_flight_that_becomes_infinite_ends_alone() {
             _ => (0.1 + 0.001 * f64::from(k), 1e9),
         });
         let mut queue = queue(starts.collect());
-        fly(&Square, &mut queue, &span, &options);
+        fly_on(lanes::Isa::best(), &Square, &mut queue, &span, &options);
         for (k, (end, (start, _))) in queue.ends.iter().zip(&queue.starts).enumerate() {
             let (outcome, time, x) = end.expect("an end");
             match k % 3 {
@@ -119,7 +119,7 @@ fn what_cannot_start_does_not_and_an_empty_queue_is_no_work() {
         (2.0, 1.0),
     ];
     let mut flights = queue(starts);
-    fly(&Square, &mut flights, &span, &options);
+    fly_on(lanes::Isa::best(), &Square, &mut flights, &span, &options);
     let outcomes: Vec<_> = flights
         .ends
         .iter()
@@ -134,7 +134,16 @@ fn what_cannot_start_does_not_and_an_empty_queue_is_no_work() {
             FlightOutcome::Limit(0)
         ]
     );
-    assert_eq!(fly(&Square, &mut queue(Vec::new()), &span, &options), 2);
+    assert_eq!(
+        fly_on(
+            lanes::Isa::best(),
+            &Square,
+            &mut queue(Vec::new()),
+            &span,
+            &options
+        ),
+        Some(2)
+    );
     for isa in lanes::Isa::ALL {
         let mut one = queue(vec![(0.5, 9.0)]);
         let span = FlightSpan {

@@ -1,7 +1,6 @@
 //! Ball as a point mass with weight and drag.
 
-use crate::physical::MassProperties;
-use crate::physical::{Load, Physical};
+use crate::physical::{Load, MassProperties, Physical};
 use crate::scalar::Real;
 use crate::tree::norm;
 use nalgebra::Vector3;

@@ -52,8 +52,7 @@ fn quaternion(model: &Model) -> Result<Chart, BindError> {
     })
 }
 
-/// Coordinate chart of a point mass: the states x, y, z (position) and vx, vy, vz (velocity), both in inertial
-/// components.
+/// Coordinate chart of a point mass: the states x, y, z and vx, vy, vz, in inertial components.
 pub(super) fn point_mass(model: &Model) -> Result<Chart, BindError> {
     in_inertial_axes(model, ["vx", "vy", "vz"])
 }

@@ -1,8 +1,7 @@
 //! Disc of Hubbard and Hummel (2000), with the sign conventions of this project's model contract.
 
 use super::spinning::{Body, Coefficients, Stream};
-use crate::physical::MassProperties;
-use crate::physical::{Load, Physical};
+use crate::physical::{Load, MassProperties, Physical};
 use crate::scalar::Real;
 use nalgebra::Vector3;
 

@@ -11,8 +11,7 @@ pub use spinning::Stream;
 
 use crate::chart::Chart;
 use crate::error::BindError;
-use crate::physical::MassProperties;
-use crate::physical::{Load, Motion, Physical};
+use crate::physical::{Load, MassProperties, Motion, Physical};
 use crate::point::Point;
 use crate::scalar::Real;
 use model_spec::model::{FrameKind, Model, Parameter};
@@ -42,8 +41,7 @@ pub struct Reference {
     pub law: Law,
     /// Conversion between the model's states, which are identified by their names, and a physical state.
     pub chart: Chart,
-    /// Indices of the model's coefficients that do not occur in the law, but in effects or in terms that the user
-    /// added.
+    /// Indices of the model's coefficients that occur only in effects or in terms that the user added.
     pub unknown: Vec<usize>,
     constants: Vec<Slot>,
     /// Index of the model's input `wind`; `None` if the model has no such input, so that the air is still.
@@ -84,8 +82,7 @@ impl Law {
         Motion::under(load, &self.mass_properties(constants), at)
     }
 
-    /// Force and moment on a body by this law at the physical state `at`, in air of velocity `air`, m/s; `constants`
-    /// are in the order of [`Law::constants`].
+    /// Force and moment on a body at `at` in air of velocity `air`, m/s; `constants` as of [`Law::constants`].
     pub fn load<T: Real>(self, constants: &[T], at: &Physical<T>, air: Vector3<T>) -> Load<T> {
         match self {
             Self::Disc => disc::load(constants, at, air),
@@ -94,8 +91,7 @@ impl Law {
         }
     }
 
-    /// Mass, and inertia in the body frame, of a body under this law; `constants` are in the order of
-    /// [`Law::constants`].
+    /// Mass, and inertia in the body frame, of a body under this law; `constants` as of [`Law::constants`].
     pub fn mass_properties<T: Real>(self, constants: &[T]) -> MassProperties<T> {
         match self {
             Self::Disc | Self::Discus => disc::mass_properties(constants),
@@ -104,8 +100,7 @@ impl Law {
     }
 }
 
-/// Index in [`Model::inputs`] of the input `name`, whose components a reference law takes as inertial ones; `None` if
-/// the model does not declare it.
+/// Index in [`Model::inputs`] of the input `name`, taken in inertial components; `None` if there is none.
 fn inertial_input(model: &Model, name: &'static str) -> Result<Option<usize>, BindError> {
     let index = model.inputs.iter().position(|input| input.name == name);
     let frame = index.map(|index| &model.frames[model.inputs[index].frame]);
@@ -164,8 +159,7 @@ impl Reference {
         })
     }
 
-    /// Index of each model coefficient that does not occur in the reference law, with the value of the coefficient at
-    /// which its effect on the motion vanishes.
+    /// Index of each coefficient that the reference law lacks, with the value at which its effect vanishes.
     pub fn null_values(&self, model: &Model) -> Vec<(usize, f64)> {
         let of_effects = model.effects.iter().flat_map(|e| &e.coefficients);
         let null_value = |i| {
@@ -177,14 +171,12 @@ impl Reference {
         self.unknown.iter().map(|&i| (i, null_value(i))).collect()
     }
 
-    /// Loads on the body and its accelerations by the reference law, for the values in `point`; vectors are in inertial
-    /// components.
+    /// Loads on the body and its accelerations for the values in `point`; vectors are in inertial components.
     pub fn motion<T: Real>(&self, point: &Point<T>) -> Motion<T> {
         self.motion_at(&self.chart.physical(&point.states), point)
     }
 
-    /// Loads on the body and its accelerations by the reference law at a physical state, with the constants and the
-    /// wind of `point`.
+    /// Loads on the body and its accelerations at a physical state, with the constants and the wind of `point`.
     pub fn motion_at<T: Real>(&self, physical: &Physical<T>, point: &Point<T>) -> Motion<T> {
         self.law
             .motion(&self.values(point), physical, self.wind(point))
@@ -201,14 +193,12 @@ impl Reference {
             .map_or_else(Vector3::zeros, |wind| point.inputs[wind])
     }
 
-    /// Mass, and inertia in the body frame, of the body of the reference law, with the values of the constants at a
-    /// point.
+    /// Mass, and inertia in the body frame, of the body of the reference law at a point.
     pub fn mass_properties<T: Real>(&self, point: &Point<T>) -> MassProperties<T> {
         self.law.mass_properties(&self.values(point))
     }
 
-    /// Values of the reference law's constants, taken from the parameters and coefficients in `point`, in the order of
-    /// [`Law::constants`].
+    /// Values of the law's constants in `point`, in the order of [`Law::constants`].
     pub fn values<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         let value = |slot: &Slot| match *slot {
             Slot::Param(i) => point.params[i],
@@ -222,8 +212,7 @@ impl Reference {
         self.chart.derivatives(&point.states, &self.motion(point))
     }
 
-    /// Position, in inertial components, m, of the body-fixed marker whose body-frame coordinates are in
-    /// [`Point::marker`].
+    /// Position, m, in inertial components, of the marker at [`Point::marker`] in the body frame.
     pub fn observation<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
         let physical = self.chart.physical(&point.states);
         physical.position + physical.attitude.carry(point.marker)

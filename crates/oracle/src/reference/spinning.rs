@@ -3,8 +3,7 @@
 //! Formulated with vectors, independent of the models' formulas: lift acts along v × d2, drag against the velocity,
 //! and the accelerations follow from the momenta in the inertial frame.
 
-use crate::physical::MassProperties;
-use crate::physical::{Load, Physical};
+use crate::physical::{Load, MassProperties, Physical};
 use crate::scalar::Real;
 use crate::tree::norm;
 use nalgebra::{Matrix3, Vector3};
@@ -29,13 +28,11 @@ pub struct Stream<T> {
     pub d2: Vector3<T>,
     /// Spin: component of the angular velocity along the axis of symmetry, rad/s.
     pub spin: T,
-    /// Angular velocity without its component along the axis of symmetry (the spin), in inertial components, rad/s; 0
-    /// if `d1` is 0.
+    /// Angular velocity less the spin about the axis of symmetry, inertial, rad/s; 0 if `d1` is 0.
     pub transverse_rate: Vector3<T>,
 }
 
-/// Coefficients of the aerodynamic forces and moments on a body of revolution; dimensionless, except `damping` and
-/// `spin_down`.
+/// Coefficients of a body of revolution in air; dimensionless, except `damping` and `spin_down`.
 pub(super) struct Coefficients<T> {
     pub lift: T,
     pub drag: T,
@@ -46,8 +43,7 @@ pub(super) struct Coefficients<T> {
     /// Coefficient of the damping moment per rad/s of the angular velocity normal to the body axis, s; negative if the
     /// moment damps. The moment is coefficient × angular velocity × dynamic pressure × area × diameter.
     pub damping: T,
-    /// Moment about the body axis per rad/s of spin, N·m·s; negative if the moment slows the spin. It does not depend
-    /// on the airspeed.
+    /// Moment about the body axis per rad/s of spin, N·m·s, negative if it slows the spin, at any airspeed.
     pub spin_down: T,
 }
 
@@ -63,8 +59,7 @@ pub(super) struct Body<T> {
 }
 
 impl<T: Real> Stream<T> {
-    /// Motion of the body in the physical state `body` relative to air that moves with the velocity `wind`, m/s, in
-    /// inertial components.
+    /// Motion of the body in the state `body` relative to air of the velocity `wind`, m/s, in inertial components.
     pub fn new(body: &Physical<T>, wind: Vector3<T>) -> Self {
         let normal = body.attitude.axis(3);
         let through_air = body.velocity - wind;

@@ -5,7 +5,7 @@
 //! comparison differentiates a model by each variable in turn, and so calls a function with the same argument many times.
 
 use astro_float_num::{BigFloat, Consts, RoundingMode, Sign, WORD_BIT_SIZE};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -33,8 +33,7 @@ pub fn with_numbers<R>(task: impl FnOnce() -> R) -> R {
     result
 }
 
-/// Key of a cached function value: the function, and its argument as mantissa, sign, exponent, and whether it is
-/// rounded.
+/// Key of a cached value: the function, and its argument as mantissa, sign, exponent, and whether it is rounded.
 #[derive(PartialEq, Eq, Hash)]
 struct Call {
     function: u8,
@@ -175,27 +174,12 @@ crate::operators!([] Big {
     -a => a.map(BigFloat::neg),
 });
 
-impl Zero for Big {
-    fn zero() -> Self {
-        Self::ZERO
-    }
-
-    fn is_zero(&self) -> bool {
-        NUMBERS.with_borrow(|numbers| numbers[self.0 as usize].is_zero())
-    }
-}
-
-impl One for Big {
-    fn one() -> Self {
-        Self::lit(1.0)
-    }
-}
-
-impl Field for Big {
-    fn integer(value: i64) -> Self {
-        Self::new(BigFloat::from_i64(value, PRECISION))
-    }
-}
+crate::constants!([] Big {
+    zero => Self::ZERO,
+    is_zero(a) => NUMBERS.with_borrow(|numbers| numbers[a.0 as usize].is_zero()),
+    one => Self::lit(1.0),
+    integer(n) => Self::new(BigFloat::from_i64(n, PRECISION)),
+});
 
 impl Real for Big {
     crate::jet!();

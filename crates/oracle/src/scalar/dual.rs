@@ -5,7 +5,7 @@ use super::table::Interpolant;
 use super::{Elementary, Field, Real, Surface};
 use nalgebra::Complex;
 use num_dual::{Dual64, DualNum};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use std::f64::consts::FRAC_PI_2;
 
 /// Dual number: a value and its derivative in one direction.
@@ -47,27 +47,12 @@ crate::operators!([T: Field] Dual<T> {
     -a => Self::new(-a.value, -a.derivative),
 });
 
-impl<T: Field> Zero for Dual<T> {
-    fn zero() -> Self {
-        Self::constant(T::zero())
-    }
-
-    fn is_zero(&self) -> bool {
-        self.value.is_zero() && self.derivative.is_zero()
-    }
-}
-
-impl<T: Field> One for Dual<T> {
-    fn one() -> Self {
-        Self::constant(T::one())
-    }
-}
-
-impl<T: Field> Field for Dual<T> {
-    fn integer(value: i64) -> Self {
-        Self::constant(T::integer(value))
-    }
-}
+crate::constants!([T: Field] Dual<T> {
+    zero => Self::constant(T::zero()),
+    is_zero(a) => a.value.is_zero() && a.derivative.is_zero(),
+    one => Self::constant(T::one()),
+    integer(n) => Self::constant(T::integer(n)),
+});
 
 impl<T: Real> Real for Dual<T> {
     crate::jet!();
@@ -138,17 +123,12 @@ impl NumDual {
 
 crate::wrapped_ops!(NumDual(Dual64));
 
-impl Zero for NumDual {
-    fn zero() -> Self {
-        Self::lit(0.0)
-    }
-
-    fn is_zero(&self) -> bool {
-        self.0.re == 0.0 && self.0.eps == 0.0
-    }
-}
-
-super::rounded_literals!(NumDual);
+crate::constants!([] NumDual {
+    zero => Self::lit(0.0),
+    is_zero(a) => a.0.re == 0.0 && a.0.eps == 0.0,
+    one => Self::lit(1.0),
+    integer(n) => Self::lit(n as f64),
+});
 
 impl Real for NumDual {
     crate::jet!();
@@ -203,17 +183,12 @@ impl ComplexStep {
 
 crate::wrapped_ops!(ComplexStep(Complex<f64>));
 
-impl Zero for ComplexStep {
-    fn zero() -> Self {
-        Self::lit(0.0)
-    }
-
-    fn is_zero(&self) -> bool {
-        self.0.re == 0.0 && self.0.im == 0.0
-    }
-}
-
-super::rounded_literals!(ComplexStep);
+crate::constants!([] ComplexStep {
+    zero => Self::lit(0.0),
+    is_zero(a) => a.0.re == 0.0 && a.0.im == 0.0,
+    one => Self::lit(1.0),
+    integer(n) => Self::lit(n as f64),
+});
 
 impl Real for ComplexStep {
     crate::jet!();

@@ -5,11 +5,10 @@
 //! the magnitude is therefore comparable with the rounding unit, whether or not terms cancel.
 
 use super::table::Interpolant;
-use super::{Elementary, Field, Real, Surface};
-use num_traits::{One, Zero};
+use super::{Elementary, Real, Surface};
+use num_traits::Zero;
 
-/// A computed number and the scale of its rounding error: the sum of the absolute values of the terms that sum to the
-/// number.
+/// A number and the scale of its rounding error: the sum of the absolute values of its terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorBound {
     /// Computed value.
@@ -23,8 +22,7 @@ impl ErrorBound {
     /// value, and far below every quantity of a flight.
     pub const NEGLIGIBLE: f64 = 1e-100;
 
-    /// Error of `other` relative to the magnitude of this number, |`other` − value| / magnitude; infinite if `other` or
-    /// the value is NaN.
+    /// Error of `other`, |`other` − value| / magnitude; infinite if `other` or the value is NaN.
     pub fn relative_error(self, other: f64) -> f64 {
         let difference = (other - self.value).abs();
         if difference == 0.0 {
@@ -61,20 +59,12 @@ crate::operators!([] ErrorBound {
     -a => Self { value: -a.value, ..a },
 });
 
-impl Zero for ErrorBound {
-    fn zero() -> Self {
-        Self {
-            value: 0.0,
-            magnitude: 0.0,
-        }
-    }
-
-    fn is_zero(&self) -> bool {
-        self.value == 0.0
-    }
-}
-
-super::rounded_literals!(ErrorBound);
+crate::constants!([] ErrorBound {
+    zero => Self::lit(0.0),
+    is_zero(a) => a.value == 0.0,
+    one => Self::lit(1.0),
+    integer(n) => Self::lit(n as f64),
+});
 
 impl Real for ErrorBound {
     crate::jet!();

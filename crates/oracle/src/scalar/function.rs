@@ -11,8 +11,7 @@ use model_spec::model::Function;
 use num_dual::DualNum;
 use std::f64::consts::FRAC_PI_2;
 
-/// A function of one argument that each scalar type implements; the other functions of the model language are composed
-/// of these.
+/// A function of one argument of each scalar type, of which the other functions are composed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Elementary {
     /// Square root; 0 with derivative 0 for arguments ≤ 0.
@@ -93,8 +92,7 @@ impl Elementary {
         }
     }
 
-    /// Derivative of this elementary function at `x`; `y` is its value at `x`, where the function must not be
-    /// [constant](Self::is_constant_at).
+    /// Derivative at `x`, where the function must not be [constant](Self::is_constant_at) and has the value `y`.
     pub fn derivative<T: Real>(self, x: T, y: T) -> T {
         let one = T::one();
         match self {
@@ -109,8 +107,7 @@ impl Elementary {
         }
     }
 
-    /// Whether the language defines the derivative at `x` as 0: outside the domain of the function, and at the ends of
-    /// the domain.
+    /// Whether the language defines the derivative at `x` as 0: outside the domain and at its ends.
     pub fn is_constant_at(self, x: f64) -> bool {
         match self {
             Self::Sqrt | Self::Log => x <= 0.0,

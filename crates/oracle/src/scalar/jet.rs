@@ -2,7 +2,7 @@
 
 use super::table::Interpolant;
 use super::{Dual, Elementary, Field, Infinitesimals, Real};
-use num_traits::{One, Zero};
+use num_traits::One;
 
 type Nested<T> = Dual<Dual<Dual<T>>>;
 
@@ -30,27 +30,12 @@ crate::operators!([T: Field] Jet<T> {
     -a => Self(-a.0),
 });
 
-impl<T: Field> Zero for Jet<T> {
-    fn zero() -> Self {
-        Self::constant(T::zero())
-    }
-
-    fn is_zero(&self) -> bool {
-        self.0.is_zero()
-    }
-}
-
-impl<T: Field> One for Jet<T> {
-    fn one() -> Self {
-        Self::constant(T::one())
-    }
-}
-
-impl<T: Field> Field for Jet<T> {
-    fn integer(value: i64) -> Self {
-        Self::constant(T::integer(value))
-    }
-}
+crate::constants!([T: Field] Jet<T> {
+    zero => Self::constant(T::zero()),
+    is_zero(a) => a.0.is_zero(),
+    one => Self::constant(T::one()),
+    integer(n) => Self::constant(T::integer(n)),
+});
 
 impl<T: Real> Real for Jet<T> {
     type Jet = Self;

@@ -2,7 +2,6 @@
 
 use super::table::Interpolant;
 use super::{Elementary, Field, Real, Surface};
-use num_traits::{One, Zero};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A pair of scalars on which every operation acts separately; comparisons use `first`.
@@ -49,36 +48,12 @@ impl<A: Field, B: Field> Neg for Lockstep<A, B> {
 
 crate::assign_ops!([A: Field, B: Field] Lockstep<A, B>);
 
-impl<A: Field, B: Field> Zero for Lockstep<A, B> {
-    fn zero() -> Self {
-        Self {
-            first: A::zero(),
-            second: B::zero(),
-        }
-    }
-
-    fn is_zero(&self) -> bool {
-        self.first.is_zero() && self.second.is_zero()
-    }
-}
-
-impl<A: Field, B: Field> One for Lockstep<A, B> {
-    fn one() -> Self {
-        Self {
-            first: A::one(),
-            second: B::one(),
-        }
-    }
-}
-
-impl<A: Field, B: Field> Field for Lockstep<A, B> {
-    fn integer(value: i64) -> Self {
-        Self {
-            first: A::integer(value),
-            second: B::integer(value),
-        }
-    }
-}
+crate::constants!([A: Field, B: Field] Lockstep<A, B> {
+    zero => Self { first: A::zero(), second: B::zero() },
+    is_zero(a) => a.first.is_zero() && a.second.is_zero(),
+    one => Self { first: A::one(), second: B::one() },
+    integer(n) => Self { first: A::integer(n), second: B::integer(n) },
+});
 
 impl<A: Real, B: Real> Real for Lockstep<A, B> {
     crate::jet!();

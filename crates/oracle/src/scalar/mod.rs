@@ -19,7 +19,6 @@ pub use function::Elementary;
 pub(crate) use function::call;
 pub use jet::Jet;
 pub use lockstep::Lockstep;
-use ops::rounded_literals;
 pub use prime::{PRIME, Prime};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 pub use surface::Surface;
@@ -45,8 +44,7 @@ pub trait Field:
     fn integer(value: i64) -> Self;
 }
 
-/// A [`Field`] of scalars with the functions of the model language, such as sine, and their defined values at singular
-/// points.
+/// A [`Field`] with the functions of the model language and their defined values at singular points.
 pub trait Real: Field {
     /// This number with derivatives within one another; the same type if it has them.
     type Jet: Infinitesimals;

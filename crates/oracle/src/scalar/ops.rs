@@ -84,21 +84,33 @@ macro_rules! wrapped_ops {
     };
 }
 
-/// Implements [`One`](num_traits::One) and [`Field`](super::Field) for a scalar type that represents every literal by
-/// the nearest `f64`, by means of `Real::lit`.
-macro_rules! rounded_literals {
-    ($type:ty) => {
-        impl One for $type {
-            fn one() -> Self {
-                Self::lit(1.0)
+/// Implements [`Zero`](num_traits::Zero), [`One`](num_traits::One) and [`Field`](crate::scalar::Field) for a type.
+#[macro_export]
+macro_rules! constants {
+    ([$($generics:tt)*] $type:ty {
+        zero => $zero:expr,
+        is_zero($value:ident) => $is_zero:expr,
+        one => $one:expr,
+        integer($integer:ident) => $of_integer:expr,
+    }) => {
+        impl<$($generics)*> ::num_traits::Zero for $type {
+            fn zero() -> Self {
+                $zero
+            }
+            fn is_zero(&self) -> bool {
+                let $value = self;
+                $is_zero
             }
         }
-        impl Field for $type {
-            fn integer(value: i64) -> Self {
-                Self::lit(value as f64)
+        impl<$($generics)*> ::num_traits::One for $type {
+            fn one() -> Self {
+                $one
+            }
+        }
+        impl<$($generics)*> $crate::scalar::Field for $type {
+            fn integer($integer: i64) -> Self {
+                $of_integer
             }
         }
     };
 }
-
-pub(super) use rounded_literals;

@@ -3,9 +3,6 @@
 //! Two different rational functions agree at a random point of this field with probability at most degree / 2^61
 //! (Schwartz–Zippel lemma).
 
-use super::Field;
-use num_traits::{One, Zero};
-
 /// Modulus of the prime field in which [`Prime`] numbers compute: 2^61 − 1, a Mersenne prime.
 pub const PRIME: u64 = (1 << 61) - 1;
 
@@ -69,32 +66,20 @@ crate::operators!([] Prime {
     -a => Self::reduced(PRIME - a.0),
 });
 
-impl Zero for Prime {
-    fn zero() -> Self {
-        Self(0)
-    }
-
-    fn is_zero(&self) -> bool {
-        self.0 == 0
-    }
-}
-
-impl One for Prime {
-    fn one() -> Self {
-        Self(1)
-    }
-}
-
-impl Field for Prime {
-    fn integer(value: i64) -> Self {
-        let size = Self::new(value.unsigned_abs());
-        if value < 0 { -size } else { size }
-    }
-}
+crate::constants!([] Prime {
+    zero => Self(0),
+    is_zero(a) => a.0 == 0,
+    one => Self(1),
+    integer(n) => {
+        let size = Self::new(n.unsigned_abs());
+        if n < 0 { -size } else { size }
+    },
+});
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_traits::{One, Zero};
 
     #[test]
     fn every_element_but_zero_has_an_inverse() {

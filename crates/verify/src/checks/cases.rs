@@ -8,8 +8,7 @@ use oracle::{Point, Tree, Value};
 /// Name of this check in reports: the check cases specified in the model file.
 pub const CASES: &str = "check cases of the model";
 
-/// Compares the values that check cases expect: derivatives from the equations under test, auxiliary variables from the
-/// vector tree.
+/// Compares expected values with derivatives from the equations under test and variables from the vector tree.
 pub fn check(subject: &Subject<'_>) -> Row {
     let model = subject.model;
     if model.checks.is_empty() {

@@ -8,14 +8,12 @@ use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
-use crate::subject::Subject;
-use crate::subject::{along, errors, is_fault};
+use crate::subject::{Subject, along, errors, is_fault};
 use oracle::scalar::{ErrorBound, Field};
 use oracle::{BalanceLaw, Tree, claimed_rates};
 use std::collections::BTreeMap;
 
-/// Name of this check in reports: equations written explicitly in the model file against the laws of motion of the body
-/// that its `claim` statement describes.
+/// Name of this check in reports: stated equations against the laws of motion of the claimed body.
 pub const CLAIM: &str = "claimed body";
 
 /// Advice for a model with stated equations and neither a claim nor a reference law.
@@ -30,8 +28,7 @@ force and the angular momentum by the moment; energy, flights and symmetries; an
 /// Axes of the inertial frame.
 const AXES: [u8; 3] = [1, 2, 3];
 
-/// Checks whether stated equations obey the laws of the claimed body, effects being absent. `None` for a declared body,
-/// from which the equations are derived.
+/// Checks whether stated equations obey the laws of the claimed body, without effects; `None` for a declared body.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     let model = subject.model;
     if model.body.is_some() {

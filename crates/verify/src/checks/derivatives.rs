@@ -45,8 +45,7 @@ fn three_ways(value: f64, derivative: f64) -> ThreeWays {
     }
 }
 
-/// Compares every Jacobian entry, structural zeros included, with three differentiations and the reference
-/// implementation.
+/// Compares every Jacobian entry, structural zeros included, with three differentiations and the reference.
 pub fn check(subject: &Subject<'_>, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let cases = options.cases.div_ceil(4);
     let mut random = Random::new(options.seed, "derivatives");
@@ -159,8 +158,7 @@ impl<'a> Comparison<'a> {
         Some(())
     }
 
-    /// Compares with derivatives of the reference law, if there is one. Coefficients that it does not contain have
-    /// their null values.
+    /// Compares with derivatives of the reference law, if any; coefficients that it lacks have their null values.
     fn with_reference(&mut self, point: &Point<f64>) {
         let Some(reference) = &self.subject.reference else {
             return;

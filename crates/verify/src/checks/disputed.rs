@@ -35,8 +35,7 @@ impl Part {
     }
 }
 
-/// The law and the magnitudes of the code's terms at a point, with derivatives with respect to one variable; each is
-/// computed when it is first needed.
+/// The law and the magnitudes of the code's terms at a point, differentiated by one variable, computed when needed.
 pub(super) struct Disputed<'a> {
     pub model: &'a Model,
     pub compiled: &'a Compiled,

@@ -19,8 +19,7 @@ use model_spec::model::Model;
 use oracle::scalar::ErrorBound;
 use oracle::{Point, derivatives};
 
-/// Name of this check in reports: a model with effects at their null values must compute the same as the model without
-/// effects.
+/// Name of this check in reports: effects at their null values change nothing.
 pub const EFFECTS: &str = "effects at null values";
 /// Name of this check in reports: effects against the oracle's evaluation of their text.
 pub const EFFECT_REFERENCE: &str = "effects: reference";

@@ -19,14 +19,12 @@ use oracle::derivatives;
 /// Name of this check in reports: derivatives of a rigid body under an arbitrary force and moment, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Number of random points of the prime field. Two functions of total degree at most d agree at one by chance with a
-/// probability of d / 2^61.
+/// Number of random points of the prime field; functions of degree d agree at one by chance with d / 2^61.
 pub const POINTS: usize = 8;
 /// Upper bound of the total degree of the state derivatives.
 const DEGREE: f64 = 1e3;
 
-/// Compares the compiled derivatives of the model's body, under one arbitrary force and moment in place of its loads,
-/// with those of the oracle.
+/// Compares the compiled derivatives of the body, under one arbitrary force and moment, with those of the oracle.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.model.body.is_none() {
         return match &subject.reference {
@@ -67,8 +65,7 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(EXACT, POINTS, &faults, &says)
 }
 
-/// The model under one force and moment (no moment on a point) that are its last two inputs, without stated equations
-/// and clock.
+/// The model without stated equations and clock, under a force and a moment that are its last two inputs.
 pub fn free_loads(model: &Model) -> Model {
     let mut model = model.clone();
     let mut load = |name: &str| {

@@ -14,7 +14,7 @@ use crate::random::Random;
 use crate::row::Row;
 use crate::symbolic::{Symbolic, evaluate};
 use codegen::Compiled;
-use codegen::functions::MathFunction;
+use codegen::functions::{BinaryFunction, MathFunction};
 use codegen::program::{Binary, Op, Operand, Unary};
 use model_spec::model::Model;
 use oracle::scalar::Dual;
@@ -117,8 +117,7 @@ fn compare(model: &Model, compiled: &Compiled, spot: &FieldPoint) -> Compared {
     })
 }
 
-/// Why different values in the field prove nothing: branches and rounded constants are symbols there. `None` if they
-/// do.
+/// Why different values prove nothing: branches and rounded constants are symbols in the field.
 fn undecided(compiled: &Compiled) -> Option<&'static str> {
     let statements = compiled
         .functions()
@@ -133,7 +132,9 @@ fn undecided(compiled: &Compiled) -> Option<&'static str> {
                     | MathFunction::Heaviside
                     | MathFunction::Asin
             ),
-            Op::Binary(op, ..) => matches!(op, Binary::Min | Binary::Max),
+            Op::Binary(Binary::Call(function), ..) => {
+                matches!(function, BinaryFunction::Min | BinaryFunction::Max)
+            }
             _ => false,
         };
         if branches {

@@ -12,8 +12,7 @@ use super::precision::overflow;
 use crate::meaning::Meaning;
 use crate::options::Options;
 use crate::random::Random;
-use crate::row::rate_differences;
-use crate::row::{Row, Worst};
+use crate::row::{Row, Worst, rate_differences};
 use crate::sample::{self, is_velocity};
 use crate::subject::Subject;
 use model_spec::model::{FrameKind, Model};
@@ -21,8 +20,7 @@ use model_spec::unit::Base;
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Physical, PhysicalRate, Point, Quaternion, Tree};
 
-/// Name of this check in reports: invariance of the motion under transformations, such as a translation or a mirror
-/// image.
+/// Name of this check in reports: invariance of the motion under transformations, such as a translation.
 pub const METAMORPHIC: &str = "metamorphic relations";
 
 /// Maximum relative error: arcsines lose digits near ±1.
@@ -73,8 +71,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let mut broken: Vec<(usize, Vec<&'static str>)> =
         extras.map(|(index, _)| (index, Vec::new())).collect();
     let mut of_model: BTreeSet<&str> = BTreeSet::new();
-    // Names of the relations for which transformed states were found at some point, and of those for which they were
-    // missing at some point.
+    // Names of the relations whose transformed states were found at some point, and missing at some point.
     let (mut seen, mut unseen) = (BTreeSet::new(), BTreeSet::new());
     let mut asymmetric = false;
     for _ in 0..options.cases {
@@ -145,8 +142,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     row.with_detail(lines.join("\n").trim().to_owned())
 }
 
-/// Random parameters of the transformations: shift (m), boost (m/s), delay (s), angle (rad) about the vertical or the
-/// axis of revolution.
+/// Shift (m), boost (m/s), delay (s), and angle (rad) about the vertical or the axis of revolution.
 struct RandomTransformation {
     shift: Vector3<f64>,
     boost: Vector3<f64>,
@@ -168,8 +164,7 @@ impl RandomTransformation {
     }
 }
 
-/// Maximum relative difference of the rates at the transformed state from the transformed rates; `None` if they cannot
-/// be determined.
+/// Maximum relative difference of the rates from the transformed ones; `None` if they cannot be determined.
 fn error(
     subject: &Subject<'_>,
     meaning: &Meaning<'_>,

@@ -91,8 +91,7 @@ pub(crate) fn exact_values(model: &Model, point: &Point<f64>) -> Option<Vec<Exac
     })
 }
 
-/// State derivatives and observation of the law in 256 bits, each with its derivative with respect to the variable of
-/// the given index.
+/// State derivatives and observation of the law in 256 bits, each with its derivative by one variable.
 pub(crate) fn exact_column(
     model: &Model,
     compiled: &Compiled,

@@ -18,8 +18,7 @@ pub const REFERENCE: &str = "reference";
 /// Name in reports of the check against the model's vector expressions, as evaluated by the reference simulator.
 pub const TREE: &str = "vector tree";
 
-/// Compares state derivatives and observation with those of the reference law; coefficients that it does not contain
-/// have their null values.
+/// Compares derivatives and observation with the reference law; coefficients that it lacks have their null values.
 pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     if let Some(why) = &subject.unbound {
         return Row::counted(REFERENCE, 1, &[why.to_string()], "");
@@ -63,8 +62,7 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     ))
 }
 
-/// A line for each coefficient of the author that makes the equations differ from the reference law, tested at random
-/// and default values.
+/// A line for each coefficient of the author that makes the equations differ from the reference law.
 fn uncovered(
     subject: &Subject<'_>,
     reference: &Reference,

@@ -77,8 +77,7 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let tiny = with(&base, velocities, 1e-160);
     add("velocities whose squares vanish", tiny);
     out.retain(|(_, point)| is_valid(model, point));
-    // At singular attitudes of the coordinates the results must be finite too, so only limits stated in the model
-    // exclude them.
+    // The results at singular attitudes must be finite too, so only limits stated in the model exclude them.
     let angles = model.frames.iter().filter_map(|frame| match frame.kind {
         FrameKind::Turned { angle, .. } => Some(angle),
         _ => None,

@@ -9,8 +9,7 @@ use model_spec::model::Source;
 /// Name of this check in reports: errors, such as wrong units or frames, that the language checker reports.
 pub const UNITS: &str = "units and frames";
 
-/// Checks that the language checker reports no errors. The detail of the result has one line per error, with its source
-/// location.
+/// Checks that the language checker reports no errors; the detail has a line for each, with its location.
 pub fn check(loaded: &Loaded) -> Row {
     let lines: Vec<String> = loaded
         .diagnostics

@@ -13,8 +13,7 @@ use oracle::scalar::Prime;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A model compiled to one program of all its values. Vectors in other frames are also computed in inertial components,
-/// to be compared.
+/// A model compiled to one program of all its values; vectors in other frames also in inertial components.
 pub struct Everything<'a> {
     /// Model whose values are evaluated.
     pub model: &'a Model,

@@ -18,8 +18,7 @@ use oracle::{ClaimedBody, Point, Quaternion, Tree};
 /// Maximum deviation of a state from its default, relative to its typical magnitude.
 const SPREAD: f64 = 0.2;
 
-/// Compares the changes of position, momentum, angular momentum and energy with the integrals of velocity, force,
-/// moment and power.
+/// Compares changes of position, momenta and energy with the integrals of velocity, force, moment and power.
 pub(super) fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, "flight by momenta");
     let mut worst = Worst::default();

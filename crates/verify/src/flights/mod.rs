@@ -6,8 +6,7 @@ mod claimed;
 use crate::integration;
 use crate::options::Options;
 use crate::random::Random;
-use crate::row::relative_difference;
-use crate::row::{Row, Worst};
+use crate::row::{Row, Worst, relative_difference};
 use crate::sample::{is_valid, moved_within_limits};
 use crate::subject::{Subject, body_properties};
 use model_spec::model::Model;
@@ -193,8 +192,7 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     drawn_within(subject.model, random, draw, is_valid)
 }
 
-/// First of at most [`MAX_DRAWS`] drawn points that is inside the validity limits, or the last, moved within them;
-/// `None` if there is none.
+/// First of at most [`MAX_DRAWS`] points inside the validity limits, or the last one moved within them, if any.
 fn drawn_within(
     model: &Model,
     random: &mut Random,
@@ -240,8 +238,7 @@ fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>>
     Some(point)
 }
 
-/// Removes the air: `rho` is 0, extra coefficients have their null values, all others the value of their bounds closest
-/// to 0.
+/// Removes the air: `rho` is 0, extra coefficients are null, all others as close to 0 as their bounds allow.
 fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {
@@ -395,8 +392,7 @@ struct Acting {
 }
 
 impl Acting {
-    /// Whether the load is the same force at another instant, without a moment. Other loads, such as of a cord, do
-    /// unknown work.
+    /// Whether the load is the same force at another instant, without a moment; other loads do unknown work.
     fn is_the_force_of(&self, other: &Self) -> bool {
         let size = self.force.norm() + other.force.norm();
         self.moment.norm() == 0.0

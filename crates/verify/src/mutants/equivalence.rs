@@ -1,8 +1,7 @@
 //! Detects equivalent mutants: mutants whose compiled equations are proved equal to those of the model.
 
-use crate::difference::Sameness;
-use crate::difference::function;
 use crate::difference::values::Everything;
+use crate::difference::{Sameness, function};
 use crate::engine::Values;
 use crate::subject::Subject;
 use codegen::program::{Op, Program};

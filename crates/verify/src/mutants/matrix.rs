@@ -2,8 +2,7 @@
 
 use super::status::{CHECKS, MutantStatus};
 use super::{Mutant, Operator};
-use crate::row::Row;
-use crate::row::plain_table;
+use crate::row::{Row, plain_table};
 use serde::Serialize;
 
 /// Numbers of mutants that the checks kill, and mutants that no check kills.

@@ -2,8 +2,7 @@
 
 use model_spec::syntax::ast::{File, ItemKind, Parameter};
 
-/// Names that a mutation may exchange: frames, constants with units, auxiliary variables with the index of the
-/// statement.
+/// Names that a mutation may exchange: frames, constants with units, variables with the index of the statement.
 pub struct Names {
     frames: Vec<String>,
     constants: Vec<(String, String)>,

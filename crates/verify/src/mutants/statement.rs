@@ -4,12 +4,11 @@ use super::names::Names;
 use super::{Mutation, Operator};
 use model_spec::diagnostic::Span;
 use model_spec::syntax::ast::{
-    BodyPartKind, Expr, FrameKind, Interpolation, Item, ItemKind, LoadClass, Name, Table, UnitExpr,
-    UnitFactor,
+    BodyPart, BodyPartKind, Expr, FrameKind, Interpolation, Item, ItemKind, LoadClass, Name, Table,
+    UnitExpr, UnitFactor,
 };
 
-/// Mutations of a statement other than those of its expressions; `None` deletes it. `angles` may replace a frame's
-/// angle.
+/// Mutations of a statement but not of its expressions; `None` deletes it. `angles` may replace a frame's angle.
 pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Option<Item>>> {
     let mut out = Changes {
         item,
@@ -55,7 +54,7 @@ pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Opti
         }
         ItemKind::Body(b) => {
             for (index, part) in b.parts.iter().enumerate() {
-                body_part(&mut out, index, &part.kind, names);
+                body_part(&mut out, index, part, names);
             }
         }
         _ => {}
@@ -162,11 +161,11 @@ fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]
 }
 
 /// Mutations of the part `index` of a body: another frame, interchanged components.
-fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &Names) {
-    let mut push = |operator, how: String, change: &dyn Fn(&mut BodyPartKind)| {
+fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPart, names: &Names) {
+    let mut push = |operator, how: String, change: &dyn Fn(&mut BodyPart)| {
         out.push(operator, how, &|item| {
             if let ItemKind::Body(b) = &mut item.kind {
-                change(&mut b.parts[index].kind);
+                change(&mut b.parts[index]);
             }
         });
     };
@@ -181,28 +180,23 @@ fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &N
             }
         });
     }
-    match part {
+    match &part.kind {
         BodyPartKind::Inertia(_) => {
             for (i, j) in [(0, 1), (1, 2), (0, 2)] {
                 let how = format!("moments of inertia {} and {} swapped", i + 1, j + 1);
                 push(Operator::Axis, how, &|part| {
-                    if let BodyPartKind::Inertia(to) = part {
+                    if let BodyPartKind::Inertia(to) = &mut part.kind {
                         (to.rows[i][i], to.rows[j][j]) =
                             (to.rows[j][j].take(), to.rows[i][i].take());
                     }
                 });
             }
         }
-        BodyPartKind::Position(states, _)
-        | BodyPartKind::Velocity(states, _)
-        | BodyPartKind::AngularVelocity(states, _) => {
+        BodyPartKind::States(states, _) => {
             for (i, j) in [(0, 1), (1, 2)] {
                 let how = format!("{what}: {} and {} swapped", states[i].text, states[j].text);
                 push(Operator::Axis, how, &|part| {
-                    if let BodyPartKind::Position(states, _)
-                    | BodyPartKind::Velocity(states, _)
-                    | BodyPartKind::AngularVelocity(states, _) = part
-                    {
+                    if let BodyPartKind::States(states, _) = &mut part.kind {
                         states.swap(i, j);
                     }
                 });
@@ -213,16 +207,13 @@ fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &N
 }
 
 /// Frame of a part of a body, with a name of the part; `None` for the mass.
-fn frame_of_part(part: &mut BodyPartKind) -> Option<(&'static str, &mut Name)> {
-    Some(match part {
-        BodyPartKind::Mass(_) => return None,
-        BodyPartKind::Inertia(inertia) => ("inertia", &mut inertia.frame),
-        BodyPartKind::Fixed(frame) => ("fixed", frame),
-        BodyPartKind::AngularVelocityIn(frame) => ("angular velocity", frame),
-        BodyPartKind::Position(_, frame) => ("position", frame),
-        BodyPartKind::Velocity(_, frame) => ("velocity", frame),
-        BodyPartKind::AngularVelocity(_, frame) => ("angular velocity", frame),
-    })
+fn frame_of_part(part: &mut BodyPart) -> Option<(&'static str, &mut Name)> {
+    let frame = match &mut part.kind {
+        BodyPartKind::Value(_) => return None,
+        BodyPartKind::Inertia(inertia) => &mut inertia.frame,
+        BodyPartKind::Frame(frame) | BodyPartKind::States(_, frame) => frame,
+    };
+    Some((part.words.trim_end_matches(" in"), frame))
 }
 
 fn times(unit: Option<&UnitExpr>, symbol: &str, at: Span) -> UnitExpr {
@@ -241,16 +232,12 @@ fn times(unit: Option<&UnitExpr>, symbol: &str, at: Span) -> UnitExpr {
 /// Root expressions of a statement that are mutated; none where they do not describe physics.
 pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     match &mut item.kind {
-        ItemKind::Body(body) => {
-            let of_part = body.parts.iter_mut().flat_map(|part| match &mut part.kind {
-                BodyPartKind::Mass(e) => vec![e],
-                BodyPartKind::Inertia(i) => i.rows.iter_mut().flatten().flatten().collect(),
-                _ => Vec::new(),
-            });
-            of_part.collect()
-        }
-        ItemKind::Solve(solve) => solve.sides_mut().collect(),
-        other => other.value_mut().into_iter().collect(),
+        ItemKind::Limit(_)
+        | ItemKind::Claim(_)
+        | ItemKind::Balance(_)
+        | ItemKind::Function(_)
+        | ItemKind::Array(_) => Vec::new(),
+        other => other.roots_mut(),
     }
 }
 

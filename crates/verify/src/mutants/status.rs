@@ -68,8 +68,7 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Indices, in [`CHECKS`], of the checks that refute a mutant, whose vector expressions they evaluate without compiling
-/// them.
+/// Indices, in [`CHECKS`], of the checks that refute a mutant by its vector expressions.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

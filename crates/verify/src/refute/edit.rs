@@ -35,8 +35,7 @@ impl<'a> Editor<'a> {
         Self { model, factors }
     }
 
-    /// All corrections with one change in `e` or its subexpressions. `term` is the text of the term of a sum in which
-    /// `e` occurs, for descriptions.
+    /// All corrections with one change in `e`. `term` is the text of the term of a sum in which `e` occurs.
     pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
         let mut out = Vec::new();
         self.edits_of_root(e, term, &mut out);

@@ -115,8 +115,7 @@ fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorB
     implied.solves_the_others.then_some(implied.rates)
 }
 
-/// Auxiliary variables that are the derivative of a state, used by other equations, with the correct rate. They have
-/// the expression of the equation.
+/// Variables that are the derivative of a state, with its expression, and the correct rate.
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],
@@ -147,8 +146,7 @@ struct Examination<'a> {
 }
 
 impl Examination<'_> {
-    /// Maximum relative difference of the expression `e` from the correct derivative of the state; stops at the first
-    /// error above `stop`.
+    /// Maximum relative difference of `e` from the correct derivative of the state; stops above `stop`.
     fn error(&self, state: usize, e: &Expr, stop: f64) -> f64 {
         let mut worst = 0.0_f64;
         for point in &self.points {

@@ -14,8 +14,7 @@ use crate::integration;
 pub use crate::options::ALLOWED;
 use crate::options::Options;
 use crate::random::Random;
-use crate::row::plain_table;
-use crate::row::{Measure, Row, Verdict};
+use crate::row::{Measure, Row, Verdict, plain_table};
 use crate::sample::{self, is_valid, typical};
 use crate::subject::Subject;
 use codegen::Compiled;
@@ -134,8 +133,7 @@ pub fn measure(
     }
 }
 
-/// Rounding errors of each backend, and the number of points left out because a value is not finite or rounding may
-/// decide a branch.
+/// Rounding errors of each backend, and the number of points left out for infinities and undecided branches.
 pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<Error>, usize) {
     let at_points = |is_exact: bool| -> Vec<Option<Vec<Exact>>> {
         let each = points.iter().map(|point| exact(compiled, point, is_exact));

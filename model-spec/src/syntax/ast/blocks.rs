@@ -21,43 +21,52 @@ impl BodyClass {
     }
 }
 
-/// Declaration of a rigid body or a point mass.
+/// Block `body NAME { … }` or `point NAME { … }` that declares a body, or that follows `claim`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Whether the body is rigid or a point mass.
     pub class: BodyClass,
     /// Name of the body.
     pub name: Name,
-    /// Statements between the braces of the declaration, in order.
+    /// Statements between the braces, in order.
     pub parts: Vec<BodyPart>,
 }
 
-/// A statement in a block `body NAME { … }` or `point NAME { … }`, such as `mass EXPR;`.
+/// A statement in the block of a body, such as `mass EXPR;`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyPart {
-    /// Kind of statement, with its content.
+    /// Keywords: `mass`, `inertia`, `fixed in`, `position`, `velocity`, `angular velocity`, `angular velocity in`; of a
+    /// claim also `force` and `moment`, the sums of all loads with the weight, and `axis`, the axis of revolution of a body
+    /// to which no frame is fixed.
+    pub words: &'static str,
+    /// Content of the statement.
     pub kind: BodyPartKind,
     /// Source span of the statement.
     pub span: Span,
 }
 
-/// Kinds of statement in a block `body NAME { … }` or `point NAME { … }`, with their content.
+/// Content of a statement in the block of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodyPartKind {
-    /// `mass EXPR;`: mass, kg.
-    Mass(Expr),
-    /// `inertia … in FRAME;`: inertia tensor, kg m².
+    /// Inertia tensor, kg m²: `inertia … in FRAME;`
     Inertia(Box<Inertia>),
-    /// `fixed in FRAME;`: the body-fixed frame.
-    Fixed(Name),
-    /// `position (x, y, z) in FRAME;`: names of the position states of the centre of mass, and their frame.
-    Position([Name; 3], Name),
-    /// `velocity (u, v, w) in FRAME;`: names of the velocity states of the centre of mass, and their frame.
-    Velocity([Name; 3], Name),
-    /// `angular velocity (p, q, r) in FRAME;`: names of the angular-velocity states, and their frame.
-    AngularVelocity([Name; 3], Name),
-    /// `angular velocity in FRAME;`: frame of the components of `angular_velocity`.
-    AngularVelocityIn(Name),
+    /// Frame fixed in the body, or of the components of `angular_velocity`.
+    Frame(Name),
+    /// Names of the states of a declared body, and the frame of their components: `position (x, y, z) in FRAME;`
+    States([Name; 3], Name),
+    /// Mass, or quantity of a claimed body.
+    Value(Expr),
+}
+
+impl BodyPart {
+    /// Expressions of the statement, in order.
+    pub fn expressions(&self) -> Vec<&Expr> {
+        match &self.kind {
+            BodyPartKind::Inertia(inertia) => inertia.rows.iter().flatten().flatten().collect(),
+            BodyPartKind::Value(e) => vec![e],
+            BodyPartKind::Frame(_) | BodyPartKind::States(..) => Vec::new(),
+        }
+    }
 }
 
 /// Inertia tensor about the centre of mass, kg m², with off-diagonal entries such as `-∫ x y dm`.
@@ -67,64 +76,6 @@ pub struct Inertia {
     pub rows: [[Option<Expr>; 3]; 3],
     /// Name of the frame of the tensor's components.
     pub frame: Name,
-}
-
-/// Statement `claim body NAME { … }` or `claim point NAME { … }`: the body that stated equations describe.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Claim {
-    /// Whether the body that the equations are declared to describe is rigid or a point mass.
-    pub class: BodyClass,
-    /// Name of the body that the equations are declared to describe.
-    pub name: Name,
-    /// Statements of the `claim` block, in order.
-    pub parts: Vec<ClaimPart>,
-}
-
-/// A statement in a `claim` block.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ClaimPart {
-    /// Keywords with which the statement begins: one of [`ClaimPart::WORDS`].
-    pub words: &'static str,
-    /// Content of the statement.
-    pub kind: ClaimPartKind,
-    /// Source span of the statement.
-    pub span: Span,
-}
-
-/// Content of a statement in a `claim` block.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ClaimPartKind {
-    /// `inertia … in FRAME;`: inertia tensor, kg m².
-    Inertia(Box<Inertia>),
-    /// `fixed in FRAME;`: the body-fixed frame.
-    Fixed(Name),
-    /// All other statements: the quantity that the keywords name.
-    Value(Expr),
-}
-
-impl ClaimPart {
-    /// Keywords of the statements: `axis` is the axis of revolution of a body to which no declared frame is fixed;
-    /// `force` and `moment` are the sums of all loads including the weight.
-    pub const WORDS: [&str; 9] = [
-        "mass",
-        "position",
-        "velocity",
-        "force",
-        "inertia",
-        "fixed in",
-        "axis",
-        "angular velocity",
-        "moment",
-    ];
-
-    /// Expressions of the statement, in order; empty for `fixed in`.
-    pub fn expressions(&self) -> Vec<&Expr> {
-        match &self.kind {
-            ClaimPartKind::Fixed(_) => Vec::new(),
-            ClaimPartKind::Inertia(inertia) => inertia.rows.iter().flatten().flatten().collect(),
-            ClaimPartKind::Value(e) => vec![e],
-        }
-    }
 }
 
 /// An effect `effect NAME { … }`: a named change to a model, such as an additional force.

@@ -46,12 +46,6 @@ impl Solve {
         equations.flat_map(|own| [&own.left, &own.right])
     }
 
-    /// Mutable [`Solve::sides`].
-    pub fn sides_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
-        let equations = self.equations.iter_mut();
-        equations.flat_map(|own| [&mut own.left, &mut own.right])
-    }
-
     /// The block as messages call it.
     pub fn title(&self) -> String {
         match &self.name {

@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use super::{Budget, height, of_template, roots, roots_mut, size};
+use super::{Budget, height, of_template, size};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{Expr, ExprKind, File, Function, Item, ItemKind, Let, Name};
 use crate::syntax::{MAX_HEIGHT, of_kind};
@@ -58,7 +58,7 @@ impl<'b> Inliner<'b> {
     pub fn items(&mut self, items: &[Item]) -> Option<Vec<Item>> {
         let has_calls = |item: &Item| {
             let is_function = matches!(item.kind, ItemKind::Function(_));
-            !is_function && roots(&item.kind).iter().any(|root| self.has_calls(root))
+            !is_function && item.kind.roots().iter().any(|root| self.has_calls(root))
         };
         let called: Vec<bool> = items.iter().map(has_calls).collect();
         if !called.contains(&true) || !self.diagnostics.is_empty() {
@@ -87,7 +87,7 @@ impl<'b> Inliner<'b> {
             expanded: None,
             ..item.clone()
         };
-        for root in roots_mut(&mut own.kind) {
+        for root in own.kind.roots_mut() {
             self.expression(root);
             if height(root) > MAX_HEIGHT {
                 let message = format!(

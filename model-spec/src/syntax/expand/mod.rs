@@ -11,8 +11,7 @@ use std::collections::HashSet;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{
-    BodyPartKind, ClaimPartKind, Effect, EffectPart, Expanded, Expr, ExprKind, File, Inertia, Item,
-    ItemKind, Template,
+    Effect, EffectPart, Expanded, Expr, ExprKind, File, Item, ItemKind, Template,
 };
 use crate::syntax::reserved::{FIXED, OF_BODY};
 use inline::Inliner;
@@ -93,7 +92,7 @@ fn has_indices(kind: &ItemKind) -> bool {
         e.children(&mut |child| found = found || in_expression(child));
         found
     }
-    matches!(kind, ItemKind::Array(_)) || roots(kind).into_iter().any(in_expression)
+    matches!(kind, ItemKind::Array(_)) || kind.roots().into_iter().any(in_expression)
 }
 
 /// Names that an index cannot have.
@@ -139,48 +138,6 @@ fn of_template(written: Item, items: Vec<(Item, Option<Span>)>) -> Vec<Item> {
     };
     items.into_iter().map(mark).collect()
 }
-
-macro_rules! roots {
-    ($name:ident, $inertia:ident, $iter:ident, $value:ident $(, $mutable:tt)?) => {
-        fn $inertia(inertia: &$($mutable)? Inertia) -> impl Iterator<Item = &$($mutable)? Expr> {
-            inertia.rows.$iter().flatten().flatten()
-        }
-
-        /// Expressions of a statement that are not part of another one; none of an effect.
-        pub(crate) fn $name(kind: &$($mutable)? ItemKind) -> Vec<&$($mutable)? Expr> {
-            match kind {
-                ItemKind::Limit(limit) => vec![&$($mutable)? limit.value],
-                ItemKind::Body(body) => { body.parts.$iter() }
-                    .flat_map(|part| match &$($mutable)? part.kind {
-                        BodyPartKind::Mass(e) => vec![e],
-                        BodyPartKind::Inertia(own) => $inertia(own).collect(),
-                        _ => Vec::new(),
-                    })
-                    .collect(),
-                ItemKind::Claim(claim) => { claim.parts.$iter() }
-                    .flat_map(|part| match &$($mutable)? part.kind {
-                        ClaimPartKind::Value(e) => vec![e],
-                        ClaimPartKind::Inertia(own) => $inertia(own).collect(),
-                        ClaimPartKind::Fixed(_) => Vec::new(),
-                    })
-                    .collect(),
-                ItemKind::Balance(own) => {
-                    vec![&$($mutable)? own.quantity, &$($mutable)? own.change]
-                }
-                ItemKind::Solve(own) => roots!(@sides own $(, $mutable)?),
-                ItemKind::Function(own) => { own.lets.$iter() }
-                    .map(|own| &$($mutable)? own.value)
-                    .chain([&$($mutable)? own.value])
-                    .collect(),
-                other => other.$value().into_iter().collect(),
-            }
-        }
-    };
-    (@sides $own:ident) => { $own.sides().collect() };
-    (@sides $own:ident, mut) => { $own.sides_mut().collect() };
-}
-roots!(roots, entries, iter, value);
-roots!(roots_mut, entries_mut, iter_mut, value_mut, mut);
 
 pub(crate) fn size(e: &Expr) -> usize {
     let mut nodes = 1;

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::{Budget, height, of_template, roots_mut};
+use super::{Budget, height, of_template};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{Array, BinaryOp, Expr, ExprKind, Index, Item, ItemKind, Name};
 use crate::syntax::{MAX_ELEMENTS, MAX_HEIGHT, element_name};
@@ -46,7 +46,7 @@ impl<'b> Unroller<'b> {
             return vec![item];
         }
         let written = item.clone();
-        for root in roots_mut(&mut item.kind) {
+        for root in item.kind.roots_mut() {
             self.root(root);
         }
         of_template(written, vec![(item, None)])
@@ -108,7 +108,7 @@ impl<'b> Unroller<'b> {
             own.value.number.clone_from(value);
         }
         self.budget.spend(1, item.span);
-        for root in roots_mut(&mut kind) {
+        for root in kind.roots_mut() {
             self.root(root);
         }
         Item {

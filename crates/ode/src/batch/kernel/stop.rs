@@ -40,8 +40,7 @@ impl<T: Lanes> Flying<'_, T> {
         }
     }
 
-    /// Coefficients, in each lane, of the dense output of the height (state component `z`) over a step of size `h`, in
-    /// the nested-product form of `HeightStep`.
+    /// Dense output of the height, state component `z`, in the nested-product form of `HeightStep`, in each lane.
     #[inline(always)]
     fn height_terms(&self, z: usize, h: T) -> [T; ROWS] {
         let rows = self.dense_rows(z, h);
@@ -62,8 +61,7 @@ impl<T: Lanes> Flying<'_, T> {
         terms
     }
 
-    /// Locates landings, apexes and crossings of limits of validity in the steps of the lanes marked in `asks`, and
-    /// ends the flights that land or cross a limit.
+    /// Locates the events in the steps of the lanes marked in `asks`, and ends flights that land or cross a limit.
     #[inline(always)]
     pub(super) fn stop(&mut self, asks: &[bool; MAX_LANES], h: T, queue: &mut dyn FlightQueue) {
         let method = self.tableau.method;

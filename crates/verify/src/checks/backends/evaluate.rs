@@ -139,8 +139,7 @@ pub(super) fn on_lanes(
     Isa::ALL.into_iter().filter_map(run).collect()
 }
 
-/// Concatenated `f64` results of all functions of the Rust code generated from a model, in the order of
-/// [`Functions::results`].
+/// Concatenated results of all functions of the generated Rust code, in the order of [`Functions::results`].
 pub(super) fn generated_results(m: &generated::Model, at: &Inputs<f64>) -> Vec<f64> {
     let (t, x, p, marker) = (at.time, &at.states, &at.parameters, &at.marker);
     let (n, j, jp) = (m.states.len(), m.j_pattern.len(), m.jp_pattern.len());
