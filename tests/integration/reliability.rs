@@ -53,12 +53,12 @@ fn a_lack_of_fit_of_two_flights_is_seen() {
 /// Constants absorb a spin down that grows with the speed: the residuals are noise, and the estimates are wrong.
 #[test]
 fn a_coefficient_that_changes_during_the_flights_is_seen() {
-    let effect = "effect more { site spin_down; coefficient C_Nv = 0 [s/m]; replace spin_down = previous + C_Nv*V*r*(1 s); }";
+    let effect = "effect more { site spin; coefficient C_Nv = 0 [N*s^2]; replace spin_down = previous + C_Nv*V*r; }";
     let more = disc().with(&Effect::parse(effect).unwrap()).unwrap();
-    let data = throws(&more, &[("C_Nv", 4e-7)], 12, 1);
+    let data = throws(&more, &[("C_Nv", -6e-6)], 12, 1);
     let fit = Fit::of(&disc()).run(&data).unwrap();
     assert!(
-        is_doubted(&fit, "C_Nr is not constant"),
+        is_doubted(&fit, "C_Nr is not constant: it changes with V"),
         "{:?}",
         fit.cautions()
     );

@@ -155,7 +155,7 @@ mod tests {
         param m = 0.5 kg;
         param g = 9.81 m/s^2;
         coefficient k = 0.02 kg/m;
-        coefficient k_late = 0 [kg/m];
+        coefficient k_late = 0.05 kg/m;
         frame N;
         state x = 0 m;
         state y = 0 m;
@@ -205,9 +205,9 @@ mod tests {
         assert!(block.global[(late, late)] < 0.9 * block.global[(0, 0)]);
         for other in 0..4 {
             let [a, b] = [from_late, late].map(|own| block.global[(own, other)]);
-            assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
+            assert!((a / b - 1.0).abs() < 1e-2, "{a} {b}");
         }
         let [a, b] = [from_late, late].map(|own| block.cross.column(own).into_owned());
-        assert!((&a - &b).norm() < 1e-3 * a.norm(), "{a} {b}");
+        assert!((&a - &b).norm() < 1e-2 * a.norm(), "{a} {b}");
     }
 }

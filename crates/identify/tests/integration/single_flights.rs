@@ -108,7 +108,7 @@ fn noise_of_a_recorded_input_is_named() {
     let clean = tested(&dataset);
     assert!(clean.reliable, "{:?}", clean.cautions);
     let mut random = ChaCha12Rng::seed_from_u64(4);
-    let noise = Normal::new(0.0, 0.002).expect("a deviation");
+    let noise = Normal::new(0.0, 0.01).expect("a deviation");
     for flight in &mut dataset.flights {
         for (_, series) in &mut flight.inputs {
             let samples = series.samples();
@@ -120,7 +120,7 @@ fn noise_of_a_recorded_input_is_named() {
     let found = noisy.lack_of_fit.and_then(|test| test.input_noise);
     let found = found.expect("noise of an input");
     assert_eq!(found.input, "throttle");
-    assert!((found.sigma / 0.002 - 1.0).abs() < 0.2, "{found:?}");
+    assert!((found.sigma / 0.01 - 1.0).abs() < 0.2, "{found:?}");
     assert!(found.effect > 1.0 && !noisy.reliable, "{found:?}");
 }
 
