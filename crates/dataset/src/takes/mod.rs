@@ -33,7 +33,6 @@ pub(crate) use layout::{
     Attitude, Clock, Layout, MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, Tracks, unique,
 };
 pub use options::ReadOptions;
-pub(crate) use options::checked_rate;
 pub(crate) use quaternion::product;
 pub use quaternion::rotated;
 pub use read::{parse, read};
@@ -43,4 +42,5 @@ pub use template::{
     estimate_template,
 };
 pub use throws::{Cause, Cut, Motion, Throw, ThrowOptions, Throws, find_throws, motion};
+pub(crate) use unit::checked_rate;
 pub use unit::{LengthUnit, TimeUnit};

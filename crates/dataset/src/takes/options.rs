@@ -1,6 +1,6 @@
 //! Options that supply what the file of a recording does not state.
 
-use crate::takes::{Fault, Format, LengthUnit, Location, TimeUnit};
+use crate::takes::{Fault, Format, LengthUnit, Location, TimeUnit, checked_rate};
 
 /// Properties of a recording that the user states, such as units; they override those that the file states.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,16 +54,4 @@ impl ReadOptions {
         let rate = self.rate.or(stated).ok_or_else(absent)?;
         checked_rate(rate).map_err(|(found, expected)| Fault::new(location, found, expected))
     }
-}
-
-/// Maximum frame rate of a recording, Hz; a greater one is an error.
-const MAX_RATE: f64 = 1e6;
-
-/// Checks that a frame rate (Hz) is positive and at most [`MAX_RATE`]; the error has what was found and expected.
-pub(crate) fn checked_rate(rate: f64) -> Result<f64, (String, String)> {
-    if rate > 0.0 && rate <= MAX_RATE {
-        return Ok(rate);
-    }
-    let expected = format!("frames per second above 0, at most {MAX_RATE}");
-    Err((format!("the rate {rate}"), expected))
 }

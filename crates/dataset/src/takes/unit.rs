@@ -105,6 +105,18 @@ impl TimeUnit {
     }
 }
 
+/// Maximum frame rate of a recording, Hz; a greater one is an error.
+const MAX_RATE: f64 = 1e6;
+
+/// Checks that a frame rate (Hz) is positive and at most [`MAX_RATE`]; the error has what was found and expected.
+pub(crate) fn checked_rate(rate: f64) -> Result<f64, (String, String)> {
+    if rate > 0.0 && rate <= MAX_RATE {
+        return Ok(rate);
+    }
+    let expected = format!("frames per second above 0, at most {MAX_RATE}");
+    Err((format!("the rate {rate}"), expected))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
