@@ -28,7 +28,7 @@ from ._document import (
 OPERAND = re.compile(r"t|([xpkms])(0|[1-9][0-9]{0,8})")
 Lengths = Mapping[str, int]
 Tables = Sequence[Table | TableOfTwo]
-LOOKUPS = {"table": Table, "table_of_two": TableOfTwo}
+LOOKUPS: dict[str, type[object]] = {"table": Table, "table_of_two": TableOfTwo}
 
 
 def state(value: object, place: str) -> State:

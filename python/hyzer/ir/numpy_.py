@@ -42,7 +42,8 @@ class NumpyLibrary(Library):
     def lookup_of_two(self, table: TableOfTwo, x: Any, y: Any) -> Any:
         """Return the value of a piecewise bicubic at `x`, `y`."""
         cells = self.numpy.asarray(table.bicubics)
-        places, distances = [], []
+        places: list[Any] = []
+        distances: list[Any] = []
         for knots, at in ((table.knots, x), (table.second_knots, y)):
             known = self.numpy.asarray(knots)
             below = self.numpy.searchsorted(known, at, side="right")
