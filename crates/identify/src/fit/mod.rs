@@ -381,7 +381,8 @@ fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitE
     }
 }
 
-fn flight_error(flight: &Observations, reason: FlightError) -> FitError {
+/// Error of a fit whose flight cannot be predicted.
+pub(crate) fn flight_error(flight: &Observations, reason: FlightError) -> FitError {
     FitError::Flight {
         file: flight.file.clone(),
         reason,

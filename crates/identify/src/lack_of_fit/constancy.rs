@@ -13,7 +13,7 @@ use statrs::statistics::Statistics;
 
 use super::{FittedFlight, INTEGRATION_ERROR};
 use crate::error::FitError;
-use crate::fit::Fit;
+use crate::fit::{Fit, flight_error};
 use crate::least_squares::{NormalBlock, SchurComplement, pseudo_inverse};
 use crate::noise::NoiseModel;
 use crate::predict::linearise_by_spans;
@@ -101,29 +101,22 @@ impl Spanned {
         };
         let (problem, unknowns) = (fit.problem(), (fit.global(), local));
         let block = linearise_by_spans(problem, observed, unknowns, noise, &spans);
-        let block = block.map_err(|reason| FitError::Flight {
-            file: observed.file.clone(),
-            reason,
-        })?;
+        let block = block.map_err(|reason| flight_error(observed, reason))?;
         let reduced = block
             .as_ref()
             .and_then(|block: &NormalBlock| Some((block.count, SchurComplement::new(block, 0.0)?)));
         let Some((count, reduced)) = reduced else {
             return Ok(None);
         };
-        let value = |name: &String, sample: usize| {
-            let at = |names: &[String], values: &[Vec<f64>]| {
-                let place = names.iter().position(|own| own == name)?;
-                values[sample].get(place).copied()
-            };
-            at(&evidence.quantity_names, &evidence.quantities)
-                .or_else(|| at(&evidence.state_names, &evidence.states))
-                .unwrap_or(evidence.times[sample])
-        };
         let quantities = names.iter().map(|name| {
-            let means = spans
-                .iter()
-                .map(|span| span.clone().map(|sample| value(name, sample)).mean());
+            let of = |names: &[String], values: &[Vec<f64>]| -> Option<Vec<f64>> {
+                let place = names.iter().position(|own| own == name)?;
+                values.iter().map(|row| row.get(place).copied()).collect()
+            };
+            let values = of(&evidence.quantity_names, &evidence.quantities)
+                .or_else(|| of(&evidence.state_names, &evidence.states))
+                .unwrap_or_else(|| evidence.times.clone());
+            let means = spans.iter().map(|span| values[span.clone()].iter().mean());
             means.collect()
         });
         Ok(Some(Self {

@@ -1,15 +1,15 @@
 //! What the noise of recorded inputs does to the predictions. No residual weight and no standard error counts it.
 
-use dataset::statistics::robust_sigma;
+use dataset::statistics::{median, robust_sigma};
 use flight::{InputSeries, InputsOverTime};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use rand::SeedableRng;
 use rand_chacha::ChaCha12Rng;
 use rand_distr::{Distribution, Normal};
 
 use super::FittedFlight;
 use crate::fit::Fit;
-use crate::least_squares::pseudo_inverse;
+use crate::least_squares::{NormalBlock, pseudo_inverse};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::{each_residual, residuals};
@@ -65,7 +65,7 @@ impl InputNoise {
             let matters = effect > NEGLIGIBLE && effect < NOT_NOISE * residual;
             matters.then(|| Self {
                 input: name.clone(),
-                sigma: robust_sigma(&mut sigmas) / robust_sigma(&mut [1.0]),
+                sigma: median(&mut sigmas),
                 effect,
             })
         });
@@ -103,9 +103,9 @@ impl Sums {
             ..observed.clone()
         };
         let other = residuals(problem, &noisy, unknowns, observed.times.len()).ok()?;
-        let size = observed.manifold.dimension();
-        let (mut matrix, mut gradient) = (DMatrix::zeros(size, size), DVector::zeros(size));
-        let (mut total, mut squares, mut count) = (0.0, 0.0, 0.0);
+        let none = DVector::zeros(0);
+        let mut changes = NormalBlock::zero(observed.manifold.dimension(), 0);
+        let mut squares = 0.0;
         let parameters = observed.parameters(problem, fit.global());
         let bound = problem.body.bind(parameters);
         each_residual(
@@ -125,20 +125,18 @@ impl Sums {
                 for (axis, other) in with_noise.into_iter().enumerate().take(axes) {
                     let weight = 1.0 / noise.of(point.channel).sigma[axis];
                     let row = DVector::from_row_slice(&point.rows[axis]) * weight;
-                    let change = (other - point.residual[axis]) * weight;
-                    matrix.ger(1.0, &row, &row, 1.0);
-                    gradient.axpy(change, &row, 1.0);
-                    total += change * change;
+                    changes.add((other - point.residual[axis]) * weight, &row, &none);
                     squares += (point.residual[axis] * weight).powi(2);
-                    count += 1.0;
                 }
             },
         )
         .ok()?;
-        let taken = pseudo_inverse(&matrix).map_or(0.0, |by| gradient.dot(&(by * &gradient)));
-        self.effect += (total - taken).max(0.0);
+        let gradient = &changes.local_gradient;
+        let inverse = pseudo_inverse(&changes.local);
+        let taken = inverse.map_or(0.0, |inverse| gradient.dot(&(inverse * gradient)));
+        self.effect += (changes.squares - taken).max(0.0);
         self.residual += squares;
-        self.count += count;
+        self.count += changes.count as f64;
         Some(())
     }
 }

@@ -17,7 +17,7 @@ use self::series::{Series, SplineBasis};
 use self::smooth_misfit::{FlightMisfit, ScaledStatistic, greatest_misfit, least_p};
 use crate::channel::Channel;
 use crate::error::FitError;
-use crate::fit::Fit;
+use crate::fit::{Fit, flight_error};
 use crate::ids::FlightId;
 use crate::observations::Observations;
 use crate::predict::each_residual;
@@ -269,10 +269,7 @@ impl FittedFlight<'_> {
                 }
             },
         )
-        .map_err(|reason| FitError::Flight {
-            file: observed.file.clone(),
-            reason,
-        })?;
+        .map_err(|reason| flight_error(observed, reason))?;
         Ok(FlightSeries {
             series,
             fine: from.fine,

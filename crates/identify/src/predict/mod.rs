@@ -92,10 +92,7 @@ pub fn linearise_with(
         rows.add(point.channel, point.time, point.rows, point.residual);
     })?;
     let mut block = rows.accumulator.block();
-    if !problem.sees_positions() && !observations.is_summary {
-        weighted_rows::add(problem, observations, local, &mut block);
-    }
-    weighted_rows::add_state_priors(observations, local, &mut block);
+    weighted_rows::add_priors(problem, observations, local, &mut block);
     Ok(block)
 }
 

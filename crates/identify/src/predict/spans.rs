@@ -101,10 +101,7 @@ pub(crate) fn linearise_by_spans(
         sum.add(row.channel, time, &mut by_spans, row.residual);
     }
     let mut block = sum.accumulator.block();
-    if !problem.sees_positions() {
-        weighted_rows::add(problem, observations, local, &mut block);
-    }
-    weighted_rows::add_state_priors(observations, local, &mut block);
+    weighted_rows::add_priors(problem, observations, local, &mut block);
     Ok(Some(block))
 }
 

@@ -94,8 +94,22 @@ fn innovations(noise: &AxesNoise, gap: Option<f64>) -> [(f64, f64); 3] {
 
 // Weak priors of an initial state for flights without measured positions, which leave position and heading open.
 
+/// Adds the priors of a flight's own unknowns to its normal equations: weak ones of the initial state where no positions
+/// are measured, and those of unknown or measured states.
+pub(super) fn add_priors(
+    problem: &FitProblem,
+    observations: &Observations,
+    local: &DVector<f64>,
+    block: &mut NormalBlock,
+) {
+    if !problem.sees_positions() && !observations.is_summary {
+        add_weak(problem, observations, local, block);
+    }
+    add_state_priors(observations, local, block);
+}
+
 /// Adds the weak priors of the initial state `local` to the normal equations `block`.
-pub(super) fn add(
+fn add_weak(
     problem: &FitProblem,
     observations: &Observations,
     local: &DVector<f64>,
