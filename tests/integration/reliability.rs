@@ -57,8 +57,18 @@ fn a_coefficient_that_changes_during_the_flights_is_seen() {
     let more = disc().with(&Effect::parse(effect).unwrap()).unwrap();
     let data = throws(&more, &[("C_Nv", -6e-6)], 12, 1);
     let fit = Fit::of(&disc()).run(&data).unwrap();
+    assert!(is_doubted(&fit, "changes with V"), "{:?}", fit.cautions());
+    assert!(Fit::of(&more).run(&data).unwrap().is_reliable());
+}
+
+/// No coefficient of the model acts across its plane of symmetry.
+#[test]
+fn a_force_that_no_coefficient_can_absorb_is_seen() {
+    let more = disc().with_effect("side_force").unwrap();
+    let data = throws(&more, &[("side_a", 0.06)], 2, 1);
+    let fit = Fit::of(&disc()).run(&data).unwrap();
     assert!(
-        is_doubted(&fit, "C_Nr is not constant: it changes with V"),
+        is_doubted(&fit, "der(v) lacks a constant term"),
         "{:?}",
         fit.cautions()
     );

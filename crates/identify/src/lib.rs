@@ -42,9 +42,9 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 
 // The report of a fit.
 pub use report::{
-    AxisNoise, AxisResiduals, Coefficient, CoefficientChange, Estimate, FitReport, FitStatus,
-    FlightEvidence, FlightOutcome, FlightReport, InputNoise, Iterations, LackOfFit, MARKER,
-    MarkerDistance, NoiseReport, NonIdentifiable, Profile, Rms, SeenValue, SensorEvidence,
+    AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
+    FlightOutcome, FlightReport, InputNoise, Iterations, LackOfFit, MARKER, MarkerDistance,
+    MissingTerm, NoiseReport, NonIdentifiable, Profile, Rms, SeenValue, SensorEvidence,
     SensorReport, SmoothMisfit, convergence_caution, exclusion_caution, input_noise, leading_noise,
 };
 pub use uncertainty::interval;

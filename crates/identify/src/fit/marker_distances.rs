@@ -15,24 +15,30 @@ use crate::problem::FitProblem;
 use crate::report::MarkerDistance;
 use dataset::statistics::{median, robust_sigma};
 
-/// Number, sum, m, and sum of squares, m², of the differences (measured − predicted) of a distance in one flight.
+/// Number of samples over which differences are summed: the noise of different sums is independent.
+const SPAN: usize = 12;
+
+/// Difference of a distance that counts, as a fraction of the noise of a coordinate: positions of markers are rounded.
+const MIN_DIFFERENCE: f64 = 0.1;
+
+/// Number and sum, m, of differences (measured − predicted) of a distance.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sum {
     count: f64,
     sum: f64,
-    squares: f64,
 }
 
-impl Sum {
-    fn add(&mut self, difference: f64) {
-        self.count += 1.0;
-        self.sum += difference;
-        self.squares += difference * difference;
+impl std::iter::Sum for Sum {
+    fn sum<I: Iterator<Item = Self>>(sums: I) -> Self {
+        sums.fold(Self::default(), |a, b| Self {
+            count: a.count + b.count,
+            sum: a.sum + b.sum,
+        })
     }
 }
 
-/// Pairs of markers whose mean distance differs significantly and by more than `noise`, that of a coordinate, m; empty
-/// for a point mass.
+/// Pairs of markers whose mean distance differs significantly and by more than a part of `noise`, that of a coordinate,
+/// m; empty for a point mass.
 pub fn wrong_distances(
     problem: &FitProblem,
     flights: &[Observations],
@@ -51,8 +57,8 @@ pub fn wrong_distances(
             let residuals = pair.map(|marker| &path.residuals[marker][..]);
             Some(differences(flight, residuals, pair, noise))
         });
-        let (difference, std_error) = mean(&sums.collect::<Vec<_>>())?;
-        let is_wrong = difference.abs() > (SIGNIFICANT * std_error).max(noise);
+        let (difference, std_error) = mean(&sums.collect::<Vec<_>>(), noise)?;
+        let is_wrong = difference.abs() > (SIGNIFICANT * std_error).max(MIN_DIFFERENCE * noise);
         is_wrong.then(|| MarkerDistance {
             markers: pair.map(|marker| marker_names[marker].clone()),
             difference_m: difference,
@@ -62,15 +68,15 @@ pub fn wrong_distances(
     each.collect()
 }
 
-/// Sums over one flight of the differences (measured − predicted) of a distance, m, less the mean increase of a
-/// distance by noise. `residuals` are those of the two markers by sample, predicted − measured, m.
+/// Sums over the spans of one flight of the differences (measured − predicted) of a distance, m, less the mean increase
+/// of a distance by noise. `residuals` are those of the two markers by sample, predicted − measured, m.
 fn differences(
     observations: &Observations,
     residuals: [&[Option<[f64; 3]>]; 2],
     [one, other]: [usize; 2],
     noise: f64,
-) -> Sum {
-    let mut sum = Sum::default();
+) -> Vec<Sum> {
+    let mut spans = vec![Sum::default(); observations.times.len().div_ceil(SPAN)];
     for (sample, apart) in apart(observations, one, other).enumerate() {
         let residual = residuals.map(|series| series.get(sample).copied().flatten());
         if let (Some(apart), [Some(of_one), Some(of_other)]) = (apart, residual) {
@@ -79,32 +85,30 @@ fn differences(
             // Noise perpendicular to the line between two points increases their distance.
             let by_noise = 2.0 * noise * noise / predicted;
             if by_noise.is_finite() {
-                sum.add(apart.norm() - predicted - by_noise);
+                spans[sample / SPAN].count += 1.0;
+                spans[sample / SPAN].sum += apart.norm() - predicted - by_noise;
             }
         }
     }
-    sum
+    spans
 }
 
-/// Mean difference over all flights, m, and its standard error: the greater one of those for independent samples and
-/// independent flights. `None` for fewer than two samples.
-fn mean(flights: &[Sum]) -> Option<(f64, f64)> {
-    let total = |of: fn(&Sum) -> f64| flights.iter().map(of).sum::<f64>();
-    let count = total(|sum| sum.count);
-    if count < 2.0 {
-        return None;
-    }
-    let mean = total(|sum| sum.sum) / count;
-    let of_samples = (total(|sum| sum.squares) / count - mean * mean) / (count - 1.0);
-    let number = flights.iter().filter(|sum| sum.count > 0.0).count() as f64;
-    let scatter = flights
-        .iter()
-        .map(|flight| (flight.sum - flight.count * mean).powi(2));
-    let of_flights = match number > 1.0 {
-        true => scatter.sum::<f64>() / (count * count) * number / (number - 1.0),
-        false => 0.0,
+/// Mean difference over all flights, m, and its standard error: the greatest one of those for independent spans,
+/// independent flights, and white noise of size `noise`. `None` for fewer than two spans.
+fn mean(flights: &[Vec<Sum>], noise: f64) -> Option<(f64, f64)> {
+    let spans: Vec<Sum> = flights.iter().flatten().copied().collect();
+    let flights: Vec<Sum> = flights.iter().map(|f| f.iter().copied().sum()).collect();
+    let total: Sum = flights.iter().copied().sum();
+    let mean = total.sum / total.count;
+    let variance = |sums: &[Sum]| {
+        let number = sums.iter().filter(|sum| sum.count > 0.0).count() as f64;
+        let scatter = sums.iter().map(|own| (own.sum - own.count * mean).powi(2));
+        let is_scattered = number > 1.0;
+        is_scattered.then(|| scatter.sum::<f64>() / total.count.powi(2) * number / (number - 1.0))
     };
-    Some((mean, of_samples.max(of_flights).max(0.0).sqrt()))
+    let of_flights = variance(&flights).unwrap_or(0.0);
+    let of_noise = 2.0 * noise * noise / total.count;
+    Some((mean, variance(&spans)?.max(of_flights).max(of_noise).sqrt()))
 }
 
 const MIN_DISTANCES: usize = 10;
@@ -306,18 +310,19 @@ mod tests {
 
     #[test]
     fn the_standard_error_is_that_of_flights_where_they_differ() {
-        let flight = |values: &[f64]| {
-            let mut sum = Sum::default();
-            values.iter().for_each(|value| sum.add(*value));
-            sum
+        let flight = |values: &[f64]| -> Vec<Sum> {
+            let each = values.iter().map(|&sum| Sum { count: 1.0, sum });
+            each.collect()
         };
-        let (alike, of_samples) = mean(&[flight(&[1.0, 3.0]), flight(&[1.0, 3.0])]).unwrap();
+        let (alike, of_spans) = mean(&[flight(&[1.0, 3.0]), flight(&[1.0, 3.0])], 0.1).unwrap();
         assert_eq!(alike, 2.0);
-        assert!((of_samples - (1.0_f64 / 3.0).sqrt()).abs() < 1e-12);
-        let (unlike, of_flights) = mean(&[flight(&[1.0, 1.0]), flight(&[3.0, 3.0])]).unwrap();
+        assert!((of_spans - (1.0_f64 / 3.0).sqrt()).abs() < 1e-12);
+        let (unlike, of_flights) = mean(&[flight(&[1.0, 1.0]), flight(&[3.0, 3.0])], 0.1).unwrap();
         assert_eq!(unlike, 2.0);
         assert!((of_flights - 1.0).abs() < 1e-12);
-        assert!(mean(&[flight(&[1.0])]).is_none());
+        let (_, of_noise) = mean(&[flight(&[1.0, 1.0])], 3.0).unwrap();
+        assert_eq!(of_noise, 3.0);
+        assert!(mean(&[flight(&[1.0])], 0.1).is_none());
     }
 
     /// Whether the fit of six flights of a disc says that their tracks were filtered. The noise has the autocorrelation

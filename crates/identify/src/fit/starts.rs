@@ -22,8 +22,8 @@ const ALIASES: [i32; 3] = [0, -1, 1];
 /// Maximum ratio of the median residual scale to that of the best fit so far, for another spin to be preferred.
 const ACCEPTED_RATIO: f64 = 0.9;
 
-/// Decrease of the deviance, −2 ln of the likelihood, at which another spin is preferred although the scales are alike:
-/// odds of 150 to 1.
+/// Decrease of the deviance, −2 ln of the likelihood, at which another spin is preferred where the residuals of both are
+/// noise: odds of 150 to 1.
 const MIN_DEVIANCE: f64 = 10.0;
 
 /// Least relative difference of initial states of different fits: a turn per interval is most of a state.
@@ -112,15 +112,14 @@ pub fn resolve_spin_aliases(
     for place in 1..fits.len() {
         let ((tried, new), (other, before)) = (&fits[place], &fits[best]);
         let [scale, least] = [place, best].map(scale);
-        let is_likelier = is_likelier(new, before, least);
-        let is_better = scale < ACCEPTED_RATIO * least
-            || ACCEPTED_RATIO * scale < least && is_noise(least) && is_likelier;
+        let gain = gain_of((tried, new), (other, before), least);
+        let are_noise = is_noise(least) && is_noise(scale);
+        let is_better = match are_noise {
+            true => gain > MIN_DEVIANCE,
+            false => scale < ACCEPTED_RATIO * least,
+        };
         // Another spin that fits as well, or one that fits as badly, at residuals that are noise.
-        let is_as_good = is_another(tried, other)
-            && (ACCEPTED_RATIO * scale..scale / ACCEPTED_RATIO).contains(&least)
-            && is_noise(scale)
-            && !is_likelier
-            && !self::is_likelier(before, new, least);
+        let is_as_good = are_noise && gain.abs() <= MIN_DEVIANCE && is_another(tried, other);
         is_doubtful = is_as_good || is_doubtful && !is_better;
         if is_better {
             best = place;
@@ -146,11 +145,25 @@ fn is_another(one: &State<'_>, other: &State<'_>) -> bool {
         && pairs.any(|(one, other)| (one - other).norm() > ANOTHER * other.norm())
 }
 
-/// Whether the residuals `new` are likelier than `before` by [`MIN_DEVIANCE`], for noise of unknown size; `scale` is
-/// theirs, m.
-fn is_likelier(new: &ResidualCache, before: &ResidualCache, scale: f64) -> bool {
-    let [(new, count), (before, other)] = [new, before].map(|cache| cache.clipped_squares(scale));
-    count >= other && count as f64 * (before / new).ln() > MIN_DEVIANCE
+/// Decrease of the deviance from the fit `before` to the fit `new`, for noise of unknown size, with weak priors of the
+/// parameters: another spin may be compensated by moments that no such body has. `scale` is that of the residuals, m.
+fn gain_of(
+    (new, new_cache): (&State<'_>, &ResidualCache),
+    (before, before_cache): (&State<'_>, &ResidualCache),
+    scale: f64,
+) -> f64 {
+    let deviance = |state: &State<'_>, cache: &ResidualCache| {
+        let (squares, count) = cache.clipped_squares(scale);
+        let globals = state.problem.globals.iter().zip(state.global.iter());
+        let prior = globals.map(|(own, value)| ((value - own.model_value) / own.x_scale).powi(2));
+        (count, count as f64 * squares.ln() + prior.sum::<f64>())
+    };
+    let (count, is) = deviance(new, new_cache);
+    let (count_before, was) = deviance(before, before_cache);
+    match count >= count_before {
+        true => was - is,
+        false => f64::NEG_INFINITY,
+    }
 }
 
 /// A fit in progress in which each flight starts at its guess with `alias` additional turns, if it has one.

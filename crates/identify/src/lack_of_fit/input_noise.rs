@@ -44,7 +44,7 @@ impl InputNoise {
     /// of the measurements.
     pub(super) fn of_fit(
         fit: &Fit,
-        flights: &[FittedFlight<'_>],
+        flights: &[&FittedFlight<'_>],
         noise: &NoiseModel,
     ) -> Option<Self> {
         let layout = fit.problem().body.layout();

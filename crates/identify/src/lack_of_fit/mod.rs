@@ -3,8 +3,9 @@
 //! noise.
 
 mod banded;
-mod constancy;
+
 mod input_noise;
+mod missing_terms;
 mod noise_floor;
 mod series;
 mod smooth_misfit;
@@ -21,7 +22,9 @@ use crate::fit::{Fit, flight_error};
 use crate::ids::FlightId;
 use crate::observations::Observations;
 use crate::predict::each_residual;
-use crate::report::{CoefficientChange, InputNoise, LACK_OF_FIT_LEVEL, LackOfFit, SmoothMisfit};
+use crate::report::{
+    FlightEvidence, InputNoise, LACK_OF_FIT_LEVEL, LackOfFit, MissingTerm, SmoothMisfit,
+};
 use dataset::Role;
 use dataset::statistics::median_of;
 
@@ -42,18 +45,18 @@ const INTEGRATION_ERROR: f64 = 0.02;
 const MAX_DESCRIBED: usize = 6;
 
 impl Fit {
-    /// Tests the residuals for lack of fit and, if they pass as noise, whether the coefficients are constant; decides
-    /// again whether the fit is reliable.
+    /// Tests the residuals for lack of fit and, if they pass as noise, whether a coefficient or an equation of motion lacks a
+    /// term; decides again whether the fit is reliable.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
     pub fn with_lack_of_fit(mut self, threads: usize) -> Result<Fit, FitError> {
-        let mut found = LackOfFit::of_fit(&self, threads)?;
+        let flights = fitted_flights(&self, threads);
+        let mut found = LackOfFit::of_flights(&self, &flights, threads)?;
         if let Some(found) = &mut found
             && !found.fails(LACK_OF_FIT_LEVEL)
         {
-            found.coefficient_change =
-                CoefficientChange::of_fit(&self, &fitted_flights(&self), threads)?;
+            found.missing_term = MissingTerm::of_fit(&self, &flights, threads)?;
         }
         self.report.lack_of_fit = found;
         self.report.assess();
@@ -67,17 +70,21 @@ impl LackOfFit {
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
     pub fn of_fit(fit: &Fit, threads: usize) -> Result<Option<Self>, FitError> {
-        let flights = fitted_flights(fit);
+        Self::of_flights(fit, &fitted_flights(fit, threads), threads)
+    }
+
+    fn of_flights(
+        fit: &Fit,
+        flights: &[FittedFlight<'_>],
+        threads: usize,
+    ) -> Result<Option<Self>, FitError> {
         let intervals = flights.iter().filter_map(|f| f.observed.interval());
         let Some(interval) = median_of(intervals) else {
             return Ok(None);
         };
-        let residuals = parallel::each_on(threads, flights.len(), |index| {
-            flights[index].residuals(fit)
-        });
         let (mut kept, mut series) = (Vec::new(), Vec::new());
-        for (flight, found) in flights.into_iter().zip(residuals) {
-            if let Some(found) = found {
+        for flight in flights {
+            if let Some(found) = flight.residuals(fit) {
                 series.push(found);
                 kept.push(flight);
             }
@@ -94,7 +101,6 @@ impl LackOfFit {
             Ok(FlightMisfit::new(&with, &slow, &floor.noise, least_ratio))
         });
         let misfits: Vec<Option<FlightMisfit>> = misfits.into_iter().collect::<Result<_, _>>()?;
-        let channels = &fit.problem().channels;
         let misfits = (misfits.as_slice(), channels.as_slice());
         let mut found = Self::of_misfits((&kept, &series), misfits, &floor);
         if found.fails(LACK_OF_FIT_LEVEL) {
@@ -104,7 +110,7 @@ impl LackOfFit {
     }
 
     fn of_misfits(
-        (flights, series): (&[FittedFlight<'_>], &[FlightSeries]),
+        (flights, series): (&[&FittedFlight<'_>], &[FlightSeries]),
         (misfits, channels): (&[Option<FlightMisfit>], &[Channel]),
         floor: &NoiseFloor,
     ) -> Self {
@@ -160,7 +166,7 @@ impl LackOfFit {
                 .max(0.0),
             has_length: channels.iter().all(Channel::is_position),
             noise: floor.noise.clone(),
-            coefficient_change: None,
+            missing_term: None,
             input_noise: None,
         }
     }
@@ -170,17 +176,28 @@ impl LackOfFit {
 struct FittedFlight<'f> {
     observed: &'f Observations,
     id: FlightId,
+    evidence: FlightEvidence,
 }
 
 /// The tracks of a fit that have the role `fit` and were not excluded.
-fn fitted_flights(fit: &Fit) -> Vec<FittedFlight<'_>> {
+fn fitted_flights(fit: &Fit, threads: usize) -> Vec<FittedFlight<'_>> {
     let all = (0..fit.report.flights.len()).map(FlightId::new);
     let fitted = all.filter_map(|id| {
         let (observed, _) = fit.flight(id)?;
         let is_track = observed.role == Role::Fit && !observed.is_summary;
-        is_track.then_some(FittedFlight { observed, id })
+        is_track.then_some((observed, id))
     });
-    fitted.collect()
+    let fitted: Vec<_> = fitted.collect();
+    let flights = parallel::each_on(threads, fitted.len(), |index| {
+        let (observed, id) = fitted[index];
+        let evidence = fit.evidence(id)?;
+        Some(FittedFlight {
+            observed,
+            id,
+            evidence,
+        })
+    });
+    flights.into_iter().flatten().collect()
 }
 
 impl FittedFlight<'_> {
@@ -203,7 +220,7 @@ impl FittedFlight<'_> {
             .observed
             .interval()
             .filter(|interval| *interval > 0.0)?;
-        let evidence = fit.evidence(self.id)?;
+        let evidence = &self.evidence;
         let frequency = frequency(&evidence.predicted, interval);
         let wanted = (1.0 / (KNOTS_PER_PERIOD * frequency)).min(duration / INTERVALS.1);
         let knot_interval = wanted.max(MIN_SAMPLES_PER_KNOT * interval);

@@ -11,8 +11,8 @@ mod scaled_cholesky;
 pub use constrained_step::{Constraint, constrained_step};
 pub(crate) use gram_accumulator::GramAccumulator;
 pub use levenberg_marquardt::{Solution, solve, solve_after, solve_with_watchdog};
-pub(crate) use normal_equations::SchurComplement;
 pub use normal_equations::{NormalBlock, ReducedSystem, UndeterminedFlight, eliminate};
+pub(crate) use normal_equations::{SchurComplement, TestedParameters};
 pub use problem::{
     FailedFlight, Iterate, LeastSquaresProblem, SolveError, StopReason, StoppingCriteria, Unknowns,
 };

@@ -81,6 +81,20 @@ impl NormalBlock {
     }
 }
 
+/// Parameters that are not estimated but tested, at the values that they have: products of their derivatives with those
+/// by the unknowns and with the residual.
+#[derive(Clone, Debug)]
+pub(crate) struct TestedParameters {
+    /// Local parameters × tested parameters.
+    pub by_local: DMatrix<f64>,
+    /// Global parameters × tested parameters.
+    pub by_global: DMatrix<f64>,
+    /// Gradient Jᵀr.
+    pub score: DVector<f64>,
+    /// Diagonal of JᵀJ.
+    pub information: DVector<f64>,
+}
+
 /// A flight whose samples do not determine its local parameters; contains its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the samples of flight {0} do not determine its initial state")]
@@ -106,6 +120,20 @@ impl SchurComplement {
             reduced: &block.global - through,
             gradient,
         })
+    }
+}
+
+impl SchurComplement {
+    /// The products of `tested` after elimination of the local parameters of `block`.
+    pub fn tested(&self, block: &NormalBlock, mut tested: TestedParameters) -> TestedParameters {
+        let through = self.factor.solve_matrix(&tested.by_local);
+        tested.by_global -= block.cross.tr_mul(&through);
+        tested.score -= through.tr_mul(&block.local_gradient);
+        for (k, own) in tested.information.iter_mut().enumerate() {
+            *own -= through.column(k).dot(&tested.by_local.column(k));
+        }
+        tested.by_local.fill(0.0);
+        tested
     }
 }
 

@@ -1,9 +1,9 @@
 //! Predicted observations, residuals, and normal equations with exact sensitivities S of the state: dS/dt = J S + [0 |
 //! Jp] is integrated together with the state. Every residual is predicted − measured, m; reports use the opposite sign.
 
+mod forcings;
 mod jacobian_columns;
 mod observed_point;
-mod spans;
 mod summary_pass;
 mod trajectory_pass;
 mod weighted_rows;
@@ -12,9 +12,9 @@ use model_spec::layout::ParamId;
 use nalgebra::DVector;
 use ode::DifferentiableRhs;
 
+pub(crate) use self::forcings::{Target, linearise_with_terms, targets};
 pub(crate) use self::jacobian_columns::JacobianColumns;
 pub use self::observed_point::Residuals;
-pub(crate) use self::spans::linearise_by_spans;
 pub(crate) use self::trajectory_pass::TrajectoryPass;
 pub use self::trajectory_pass::{residuals, residuals_of, robust_scale, states};
 use self::weighted_rows::WeightedRows;

@@ -16,9 +16,9 @@ pub struct LackOfFit {
     pub flights: BTreeMap<String, f64>,
     /// Largest smooth deviation of the most significant flights, smallest p-value first; empty if the test passes.
     pub largest_misfits: Vec<SmoothMisfit>,
-    /// Most significant change of a coefficient during and between the flights; `None` if the residuals are not noise, or
-    /// no change can be tested.
-    pub coefficient_change: Option<CoefficientChange>,
+    /// Most significant term that a coefficient or an equation of motion lacks; `None` if the residuals are not noise, or
+    /// no term can be tested.
+    pub missing_term: Option<MissingTerm>,
     /// Noise of a recorded input that may be what the residuals show; `None` if the test passes, or no input is that noisy.
     pub input_noise: Option<InputNoise>,
     /// Standard deviation of the noise of one coordinate, m, estimated from changes that no smooth motion can follow.
@@ -64,27 +64,34 @@ impl InputNoise {
     }
 }
 
-/// Test whether the residuals fit better if a coefficient is not constant.
+/// Test whether the residuals fit better with a further term of a coefficient or an equation of motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CoefficientChange {
-    /// Name of the coefficient.
-    pub coefficient: String,
-    /// Name of the quantity with which it changes: a scalar quantity or a state of the model, or `time` since the start
-    /// of the flight.
-    pub changes_with: String,
-    /// Number of pairs of a coefficient and a quantity that were tested.
+pub struct MissingTerm {
+    /// Name of the coefficient that is not constant, or `der(x)` for the rate of a state x that has a further term.
+    pub target: String,
+    /// Name of the quantity that the term follows: a scalar quantity or a state of the model, or `time` since the start of
+    /// the flight; `None` for a constant term of a rate.
+    pub changes_with: Option<String>,
+    /// Number of terms that were tested.
     pub tests: usize,
     /// Familywise p-value of the score test.
     pub p_value: f64,
 }
 
-impl CoefficientChange {
+impl MissingTerm {
     /// Sentence on the result of the test.
     pub fn sentence(&self) -> String {
+        let target = &self.target;
+        let is_rate = target.starts_with("der(");
+        let finding = match &self.changes_with {
+            None => format!("{target} lacks a constant term"),
+            Some(quantity) if is_rate => {
+                format!("{target} lacks a term that changes with {quantity}")
+            }
+            Some(quantity) => format!("{target} is not constant: it changes with {quantity}"),
+        };
         format!(
-            "{} is not constant: it changes with {} (score tests of {} changes, p = {}).",
-            self.coefficient,
-            self.changes_with,
+            "{finding} (score tests of {} terms, p = {}).",
             self.tests,
             probability(self.p_value)
         )

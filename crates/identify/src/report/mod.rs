@@ -15,7 +15,7 @@ use crate::error::DataFault;
 use crate::observations::Truncation;
 use dataset::Role;
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
-pub use lack_of_fit::{CoefficientChange, InputNoise, LackOfFit, SmoothMisfit};
+pub use lack_of_fit::{InputNoise, LackOfFit, MissingTerm, SmoothMisfit};
 pub(crate) use outcome::SquareSums;
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
 pub use outcome::{MARKER, Rms};

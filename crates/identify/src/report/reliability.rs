@@ -12,11 +12,7 @@ const NOISE_LIMIT: (f64, f64) = (5.0, 1e-5);
 /// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
-/// Familywise p-value of the tests of changes of coefficients below which a fit is not reliable. With the lack-of-fit test
-/// it may veto 1.5 % of the right fits.
-const CHANGE_LEVEL: f64 = 0.005;
-
-/// p-value of the lack-of-fit test below which a fit is not reliable.
+/// p-value below which a fit is not reliable: of the lack-of-fit test, and familywise of the tests of missing terms.
 pub(crate) const LACK_OF_FIT_LEVEL: f64 = 0.01;
 
 /// Difference of a prior from what the data alone give, in standard deviations, above which they contradict it.
@@ -45,7 +41,7 @@ fn cautions(report: &FitReport) -> Vec<String> {
         exclusion_caution(report),
         above_noise_floor(report).or_else(|| lack_of_fit(report)),
         input_noise(report),
-        coefficient_change(report),
+        missing_term(report),
         data_faults(report),
         marker_distances(report),
     ];
@@ -115,10 +111,10 @@ pub fn input_noise(report: &FitReport) -> Option<String> {
     test.input_noise.as_ref().map(InputNoise::sentence)
 }
 
-/// Caution that a coefficient is not constant: the estimates are those of a model that lacks a force or moment.
-fn coefficient_change(report: &FitReport) -> Option<String> {
-    let test = report.lack_of_fit.as_ref()?.coefficient_change.as_ref()?;
-    (test.p_value < CHANGE_LEVEL).then(|| {
+/// Caution that a term is missing: the estimates are those of a model that lacks a force or moment.
+fn missing_term(report: &FitReport) -> Option<String> {
+    let test = report.lack_of_fit.as_ref()?.missing_term.as_ref()?;
+    (test.p_value < LACK_OF_FIT_LEVEL).then(|| {
         format!(
             "{} The standard errors do not hold: `hyzer diagnose` searches for the cause",
             test.sentence()

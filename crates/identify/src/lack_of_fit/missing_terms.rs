@@ -1,0 +1,237 @@
+//! Missing terms: score tests of whether the residuals fit better if a coefficient, or the rate of a state, has a further
+//! term that follows a quantity of the flight. A force or moment that the model lacks is one that its coefficients, as
+//! constants, absorb.
+//!
+//! The fit takes whatever constants absorb best, so that residuals alone may pass as noise while estimates are far off.
+
+use flight::parallel;
+use model_spec::model::Shape;
+use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ContinuousCDF, StudentsT};
+use statrs::statistics::Statistics;
+
+use super::{FittedFlight, INTEGRATION_ERROR};
+use crate::error::FitError;
+use crate::fit::{Fit, flight_error};
+use crate::least_squares::{NormalBlock, SchurComplement, TestedParameters, pseudo_inverse};
+use crate::predict::{Target, linearise_with_terms, targets};
+use crate::report::MissingTerm;
+
+/// Largest deviation of a quantity from its mean, in its standard deviations, that counts: a ratio may have poles.
+const MAX_DEVIATION: f64 = 3.0;
+
+/// Correlation over all samples above which two quantities are one.
+const SAME: f64 = 0.98;
+
+/// Maximum number of quantities.
+const MAX_QUANTITIES: usize = 20;
+
+/// Part of a term's information beyond that of the constants, below which it is not tested: the terms are integrated by
+/// the trapezoidal rule, the constants are not.
+const MIN_TOLERANCE: f64 = 1e-4;
+
+/// A flight without its local parameters.
+struct Reduced {
+    constants: DMatrix<f64>,
+    gradient: DVector<f64>,
+    tested: TestedParameters,
+    /// Number of residuals.
+    count: usize,
+}
+
+/// A quantity that a term may follow: its name, and its values by flight and sample, of mean 0 and deviation 1.
+struct Quantity {
+    name: String,
+    values: Vec<Vec<f64>>,
+}
+
+impl MissingTerm {
+    /// The most significant missing term of `fit`; `None` if none can be tested.
+    ///
+    /// # Errors
+    /// [`FitError::Flight`] if a trajectory cannot be integrated.
+    pub(super) fn of_fit(
+        fit: &Fit,
+        flights: &[FittedFlight<'_>],
+        threads: usize,
+    ) -> Result<Option<Self>, FitError> {
+        let problem = fit.problem();
+        let Some(first) = flights.first() else {
+            return Ok(None);
+        };
+        let quantities = quantities(fit, flights);
+        let targets = targets(problem, first.observed, fit.global());
+        let reduced = parallel::each_on(threads, flights.len(), |index| {
+            reduce(fit, &flights[index], &targets, &weights(&quantities, index))
+        });
+        let reduced: Vec<Option<Reduced>> = reduced.into_iter().collect::<Result<_, _>>()?;
+        let reduced: Vec<Reduced> = reduced.into_iter().flatten().collect();
+        let functions = 1 + quantities.len();
+        let is_constant = |test: usize| {
+            let target = targets[test / functions];
+            test.is_multiple_of(functions) && matches!(target, Target::Coefficient(_))
+        };
+        Ok(most_significant(fit, &reduced, is_constant).map(|found| {
+            let count: usize = reduced.iter().map(|flight| flight.count).sum();
+            let by_integration = INTEGRATION_ERROR * problem.sigma0 / fit.noise().overall();
+            let score = found.chi2.sqrt() / by_integration.max(1.0);
+            let p_value =
+                StudentsT::new(0.0, 1.0, count as f64).map_or(1.0, |by| 2.0 * by.sf(score));
+            let follows = (found.test % functions).checked_sub(1);
+            Self {
+                target: match targets[found.test / functions] {
+                    Target::Coefficient(id) => problem.globals[id.index()].name.clone(),
+                    Target::Rate(state) => {
+                        format!("der({})", problem.model.states[state.index()].name)
+                    }
+                },
+                changes_with: follows.map(|index| quantities[index].name.clone()),
+                tests: found.tests,
+                p_value: (found.tests as f64 * p_value).min(1.0),
+            }
+        }))
+    }
+}
+
+/// Functions of time that are added, one per column: 1, then the quantities.
+fn weights(quantities: &[Quantity], flight: usize) -> DMatrix<f64> {
+    let samples = quantities.first().map_or(0, |own| own.values[flight].len());
+    DMatrix::from_fn(samples, 1 + quantities.len(), |sample, k| match k {
+        0 => 1.0,
+        k => quantities[k - 1].values[flight][sample],
+    })
+}
+
+/// Normal equations of a flight without its local parameters; `None` if its initial state is not free.
+fn reduce(
+    fit: &Fit,
+    flight: &FittedFlight<'_>,
+    targets: &[Target],
+    weights: &DMatrix<f64>,
+) -> Result<Option<Reduced>, FitError> {
+    let Some((observed, local)) = fit.flight(flight.id) else {
+        return Ok(None);
+    };
+    if weights.nrows() != observed.times.len() {
+        return Ok(None);
+    }
+    let (problem, unknowns) = (fit.problem(), (fit.global(), local));
+    let found = linearise_with_terms(problem, observed, unknowns, fit.noise(), (targets, weights));
+    let found = found.map_err(|reason| flight_error(observed, reason))?;
+    Ok(found.and_then(|(block, tested): (NormalBlock, _)| {
+        let without = SchurComplement::new(&block, 0.0)?;
+        let tested = without.tested(&block, tested);
+        let is_finite = tested.information.iter().all(|own| own.is_finite());
+        is_finite.then_some(Reduced {
+            constants: without.reduced,
+            gradient: without.gradient,
+            tested,
+            count: block.count,
+        })
+    }))
+}
+
+/// The largest score of a term, its number, and how many were tested.
+struct Found {
+    chi2: f64,
+    test: usize,
+    tests: usize,
+}
+
+fn most_significant(
+    fit: &Fit,
+    flights: &[Reduced],
+    is_constant: impl Fn(usize) -> bool,
+) -> Option<Found> {
+    let (first, others) = flights.split_first()?;
+    let (mut constants, mut gradient) = (first.constants.clone(), first.gradient.clone());
+    let mut tested = first.tested.clone();
+    for flight in others {
+        constants += &flight.constants;
+        gradient += &flight.gradient;
+        tested.by_global += &flight.tested.by_global;
+        tested.score += &flight.tested.score;
+        tested.information += &flight.tested.information;
+    }
+    for (i, global) in fit.problem().globals.iter().enumerate() {
+        if let Some((mean, sigma)) = global.constraint.prior {
+            constants[(i, i)] += sigma.powi(-2);
+            gradient[i] += (fit.global()[i] - mean) / (sigma * sigma);
+        }
+    }
+    let through = pseudo_inverse(&constants)? * &tested.by_global;
+    let mut found = Found {
+        chi2: 0.0,
+        test: 0,
+        tests: 0,
+    };
+    for (test, &information) in tested.information.iter().enumerate() {
+        let through = through.column(test);
+        let left = information - through.dot(&tested.by_global.column(test));
+        if is_constant(test) || left.is_nan() || left <= MIN_TOLERANCE * information {
+            continue;
+        }
+        found.tests += 1;
+        let chi2 = (tested.score[test] - through.dot(&gradient)).powi(2) / left;
+        if chi2 > found.chi2 {
+            (found.chi2, found.test) = (chi2, test);
+        }
+    }
+    (found.tests > 0).then_some(found)
+}
+
+/// The time, the model's scalar quantities and its states, as far as they vary and differ from each other.
+fn quantities(fit: &Fit, flights: &[FittedFlight<'_>]) -> Vec<Quantity> {
+    let model = &fit.problem().model;
+    let scalars = model.aux_variables.iter();
+    let scalars = scalars.filter(|own| own.value.shape == Shape::Scalar);
+    let names = std::iter::once("time".to_owned()).chain(scalars.map(|own| own.name.clone()));
+    let names: Vec<String> = names
+        .chain(model.states.iter().map(|state| state.name.clone()))
+        .collect();
+    let series = flights.iter().map(|FittedFlight { evidence, .. }| {
+        let of = |name: &String| -> Vec<f64> {
+            let of = |names: &[String], values: &[Vec<f64>]| -> Option<Vec<f64>> {
+                let place = names.iter().position(|own| own == name)?;
+                values.iter().map(|row| row.get(place).copied()).collect()
+            };
+            of(&evidence.quantity_names, &evidence.quantities)
+                .or_else(|| of(&evidence.state_names, &evidence.states))
+                .unwrap_or_else(|| evidence.times.clone())
+        };
+        names.iter().map(of).collect()
+    });
+    let series: Vec<Vec<Vec<f64>>> = series.collect();
+    let mut kept: Vec<Quantity> = Vec::new();
+    for (index, name) in names.into_iter().enumerate() {
+        let own = series.iter().map(|flight| flight[index].clone());
+        let Some(values) = scaled(own.collect()) else {
+            continue;
+        };
+        if kept.len() < MAX_QUANTITIES && !kept.iter().any(|other| is_same(other, &values)) {
+            kept.push(Quantity { name, values });
+        }
+    }
+    kept
+}
+
+/// Values less their mean, over their standard deviation; `None` if they do not vary.
+fn scaled(mut values: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
+    let (mean, deviation) = {
+        let all = || values.iter().flatten();
+        (all().mean(), all().std_dev())
+    };
+    if !(deviation.is_finite() && deviation > f64::EPSILON.sqrt() * mean.abs()) {
+        return None;
+    }
+    for value in values.iter_mut().flatten() {
+        *value = ((*value - mean) / deviation).clamp(-MAX_DEVIATION, MAX_DEVIATION);
+    }
+    Some(values)
+}
+
+fn is_same(one: &Quantity, other: &[Vec<f64>]) -> bool {
+    let pairs = || one.values.iter().flatten().zip(other.iter().flatten());
+    let sum = |of: fn(f64, f64) -> f64| pairs().map(|(a, b)| of(*a, *b)).sum::<f64>();
+    sum(|a, b| a * b).abs() > SAME * (sum(|a, _| a * a) * sum(|_, b| b * b)).sqrt()
+}

@@ -1,0 +1,381 @@
+//! Normal equations with tested terms of the equations of motion: rates of states to which a function of time is added.
+
+use model_spec::layout::ParamId;
+use nalgebra::{DMatrix, DVector};
+use ode::DifferentiableRhs;
+
+use super::weighted_rows::{self, WeightedRows};
+use super::{JacobianColumns, Loss, TrajectoryPass};
+use crate::error::FlightError;
+use crate::ids::GlobalId;
+use crate::least_squares::{GramAccumulator, NormalBlock, TestedParameters};
+use crate::noise::NoiseModel;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
+use lanes::{Kernel, Lanes};
+use model_spec::layout::StateId;
+
+/// Relative error of a term as a combination of the states' derivatives by the initial state, above which these do not
+/// carry every change of the state.
+const SPANNED: f64 = 0.01;
+
+/// What a term is added to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    /// An estimated coefficient.
+    Coefficient(GlobalId),
+    /// The rate of a state.
+    Rate(StateId),
+}
+
+/// Targets of a model: the estimated coefficients on which its equations of motion depend, and the states in whose rates
+/// these occur.
+pub(crate) fn targets(
+    problem: &FitProblem,
+    observations: &Observations,
+    global: &DVector<f64>,
+) -> Vec<Target> {
+    let conditions = problem.body.bind(observations.parameters(problem, global));
+    let motion = conditions.rhs();
+    let pattern = motion.parameter_jacobian_pattern();
+    let globals = problem.globals.iter().enumerate();
+    let moving = globals.filter(|(_, own)| pattern.iter().any(|(_, p)| *p == own.param.index()));
+    let coefficients = moving.map(|(index, _)| Target::Coefficient(GlobalId::new(index)));
+    let is_estimated = |parameter: usize| {
+        let mut globals = problem.globals.iter();
+        globals.any(|own| own.param.index() == parameter)
+    };
+    let rates = (0..motion.states()).filter(|state| {
+        let mut entries = pattern.iter();
+        entries.any(|&(row, parameter)| row == *state && is_estimated(parameter))
+    });
+    coefficients
+        .chain(rates.map(|state| Target::Rate(StateId::new(state))))
+        .collect()
+}
+
+/// Derivatives of one residual vector, by the local parameters and then the global ones.
+struct Row {
+    channel: usize,
+    sample: usize,
+    residual: [f64; 3],
+    derivatives: [Vec<f64>; 3],
+}
+
+/// Normal equations of a flight, whitened by `noise`, with the tested terms: for each of `targets`, its change by each
+/// column of `weights` (samples × functions), target by target. `None` if the initial state is not free.
+///
+/// A term g w(t) that is added to the rates changes the states by L(t) c(t) with dc/dt = L⁻¹ g w, where L are the
+/// derivatives by the initial state; g is ∂f/∂p for a coefficient p. The integral is that of the trapezoidal rule at the
+/// samples: a test of what it approximates, and none the less valid.
+///
+/// # Errors
+/// [`FlightError::Integration`] if the trajectory cannot be computed.
+pub(crate) fn linearise_with_terms(
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
+    noise: &NoiseModel,
+    (targets, weights): (&[Target], &DMatrix<f64>),
+) -> Result<Option<(NormalBlock, TestedParameters)>, FlightError> {
+    let conditions = problem.body.bind(observations.parameters(problem, global));
+    let parameters: Vec<ParamId> = problem.globals.iter().map(|global| global.param).collect();
+    let mut motion = conditions.rhs();
+    let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), &parameters);
+    let pass = TrajectoryPass {
+        problem,
+        observations,
+        global,
+        local,
+        samples: observations.times.len(),
+        tolerance: problem.tolerance * problem.sigma0 * observations.tolerance_factor,
+        with_outliers: false,
+    };
+    let order = columns.local_then_parameters();
+    let (mut rows, mut trajectory) = (Vec::new(), None);
+    let layout = pass.each_point(&mut motion, &columns, Some(&mut trajectory), |point| {
+        let in_order = |row: &Vec<f64>| order.iter().map(|&column| row[column]).collect();
+        rows.push(Row {
+            channel: point.channel,
+            sample: point.sample,
+            residual: point.residual,
+            derivatives: [0, 1, 2].map(|axis| in_order(&point.rows[axis])),
+        });
+    })?;
+    let trajectory = trajectory.unwrap_or_default();
+    let (locals, unknowns) = (order.len() - parameters.len(), order.len());
+    let mut terms = Terms::new(problem, &motion, (targets, weights), locals);
+    let tested = targets.len() * weights.ncols();
+    let accumulator =
+        GramAccumulator::with_tested((0..locals).collect(), (locals..unknowns).collect(), tested);
+    let mut sum = WeightedRows::new(accumulator, &problem.channels, Loss::Whitened(noise));
+    let mut with_terms = [0; 3].map(|_| vec![0.0; GramAccumulator::width(unknowns + tested)]);
+    let size = trajectory.len() / observations.times.len().max(1);
+    let mut rows = rows.iter().peekable();
+    for (sample, &time) in observations.times.iter().enumerate() {
+        let augmented = &trajectory[sample * size..][..size];
+        let by_local = columns.of_states(layout, augmented);
+        let by_local = by_local.columns(0, locals).into_owned();
+        let state = layout.state(augmented);
+        let tangent = observations.manifold.tangent(state);
+        if !terms.advance(&mut motion, (sample, time, state), &by_local, &tangent) {
+            return Ok(None);
+        }
+        while let Some(row) = rows.next_if(|row| row.sample == sample) {
+            for (to, from) in with_terms.iter_mut().zip(&row.derivatives) {
+                to[..unknowns].copy_from_slice(from);
+                lanes::dispatch(Combine {
+                    factors: &from[..locals],
+                    rows: &terms.combination,
+                    width: terms.width,
+                    to: &mut terms.by_terms,
+                });
+                to[unknowns + 1..][..tested].copy_from_slice(&terms.by_terms[..tested]);
+            }
+            sum.add(row.channel, time, &mut with_terms, row.residual);
+        }
+    }
+    let (mut block, tested) = sum.accumulator.block_and_tested();
+    weighted_rows::add_priors(problem, observations, local, &mut block);
+    Ok(Some((block, tested)))
+}
+
+/// The combinations c(t) of the derivatives by the initial state that are the terms' effects on the state.
+struct Terms<'t> {
+    weights: &'t DMatrix<f64>,
+    targets: usize,
+    /// For each entry of ∂f/∂p: row, index in the pattern, and target.
+    of_coefficients: Vec<(usize, usize, usize)>,
+    /// State and target.
+    of_rates: Vec<(usize, usize)>,
+    /// L⁻¹ g (local parameters × targets) at the last sample, and its time, s.
+    before: Option<(DMatrix<f64>, f64)>,
+    /// c, one padded row of terms for each local parameter.
+    combination: Vec<f64>,
+    width: usize,
+    by_terms: Vec<f64>,
+    derivatives: [Vec<f64>; 3],
+}
+
+impl<'t> Terms<'t> {
+    fn new(
+        problem: &FitProblem,
+        motion: &dyn DifferentiableRhs,
+        (targets, weights): (&[Target], &'t DMatrix<f64>),
+        locals: usize,
+    ) -> Self {
+        let pattern = motion.parameter_jacobian_pattern();
+        let (mut of_coefficients, mut of_rates) = (Vec::new(), Vec::new());
+        for (place, target) in targets.iter().enumerate() {
+            match target {
+                Target::Rate(state) => of_rates.push((state.index(), place)),
+                Target::Coefficient(id) => {
+                    let parameter = problem.globals[id.index()].param.index();
+                    let entries = pattern.iter().enumerate();
+                    let own = entries.filter(|(_, (_, of))| *of == parameter);
+                    of_coefficients.extend(own.map(|(entry, (row, _))| (*row, entry, place)));
+                }
+            }
+        }
+        let width = GramAccumulator::width(targets.len() * weights.ncols());
+        let derivatives = [
+            motion.states(),
+            motion.jacobian_pattern().len(),
+            pattern.len(),
+        ];
+        Self {
+            weights,
+            targets: targets.len(),
+            of_coefficients,
+            of_rates,
+            before: None,
+            combination: vec![0.0; locals * width],
+            width,
+            by_terms: vec![0.0; width],
+            derivatives: derivatives.map(|length| vec![0.0; length]),
+        }
+    }
+
+    /// Integrates up to the next sample, with L = `by_local` there; `false` if L does not carry the terms.
+    fn advance(
+        &mut self,
+        motion: &mut dyn DifferentiableRhs,
+        (sample, time, state): (usize, f64, &[f64]),
+        by_local: &DMatrix<f64>,
+        tangent: &[(usize, usize, f64)],
+    ) -> bool {
+        let [rates, by_state, by_parameter] = &mut self.derivatives;
+        motion.derivative_with_jacobians(time, state, rates, by_state, by_parameter);
+        let mut added = DMatrix::zeros(by_local.nrows(), self.targets);
+        for &(row, entry, target) in &self.of_coefficients {
+            added[(row, target)] += by_parameter[entry];
+        }
+        for &(state, target) in &self.of_rates {
+            added[(state, target)] = 1.0;
+        }
+        let Some(now) = carried(by_local, &added, tangent) else {
+            return false;
+        };
+        let functions = self.weights.ncols();
+        if let Some((before, from)) = &self.before {
+            let half = 0.5 * (time - from);
+            for (local, row) in self.combination.chunks_exact_mut(self.width).enumerate() {
+                for (target, places) in row
+                    .chunks_exact_mut(functions)
+                    .take(self.targets)
+                    .enumerate()
+                {
+                    let [earlier, later] = [before, &now].map(|own| half * own[(local, target)]);
+                    for (k, place) in places.iter_mut().enumerate() {
+                        *place += earlier * self.weights[(sample - 1, k)]
+                            + later * self.weights[(sample, k)];
+                    }
+                }
+            }
+        }
+        self.before = Some((now, time));
+        true
+    }
+}
+
+/// The matrix c with L c = `added`, where L is `by_local` and `tangent` are the entries of the manifold's tangent, out of
+/// which the errors of the integration lead; `None` if there is none.
+fn carried(
+    by_local: &DMatrix<f64>,
+    added: &DMatrix<f64>,
+    tangent: &[(usize, usize, f64)],
+) -> Option<DMatrix<f64>> {
+    let along = |matrix: &DMatrix<f64>| {
+        let mut found = DMatrix::zeros(by_local.ncols(), matrix.ncols());
+        for &(state, direction, value) in tangent {
+            for column in 0..matrix.ncols() {
+                found[(direction, column)] += value * matrix[(state, column)];
+            }
+        }
+        found
+    };
+    let found = along(by_local).lu().solve(&along(added))?;
+    let mut left = by_local * &found - added;
+    // Errors of a quaternion lie across the manifold; its entries of the tangent are at most 1/2.
+    for &(state, _, value) in tangent {
+        if value != 1.0 {
+            left.row_mut(state).fill(0.0);
+        }
+    }
+    let is_carried =
+        (0..added.ncols()).all(|k| left.column(k).norm() <= SPANNED * added.column(k).norm());
+    is_carried.then_some(found)
+}
+
+/// SIMD kernel: `to` is the sum of `rows`, each times its factor.
+struct Combine<'a> {
+    factors: &'a [f64],
+    rows: &'a [f64],
+    width: usize,
+    to: &'a mut [f64],
+}
+
+impl Kernel for Combine<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        self.to.fill(0.0);
+        for (&factor, row) in self.factors.iter().zip(self.rows.chunks_exact(self.width)) {
+            let factor = T::splat(factor);
+            let to = self.to.chunks_exact_mut(T::WIDTH);
+            for (to, from) in to.zip(row.chunks_exact(T::WIDTH)) {
+                factor.mul_add(T::load(from), T::load(to)).store(to);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use dataset::synthesize::{Plan, flights};
+    use flight::release::{Release, Stop};
+
+    use super::*;
+    use crate::options::FitOptions;
+
+    /// A stone on whose drag a second coefficient acts from 0.2 s on, and which a third one lifts.
+    const STONE: &str = "
+        model stone;
+        param m = 0.5 kg;
+        param g = 9.81 m/s^2;
+        coefficient k = 0.02 kg/m;
+        coefficient k_late = 0.05 kg/m;
+        coefficient a_up = 0.01 m/s^2;
+        frame N;
+        state x = 0 m;
+        state y = 0 m;
+        state z = 2 m;
+        state vx = 9 m/s;
+        state vy = 1 m/s;
+        state vz = 3 m/s;
+        let v = (vx, vy, vz) in N;
+        let late = (1 + tanh((time - 0.2 s)/(0.0001 s)))/2;
+        let a = -(k + k_late*late)*norm(v)/m*v + (a_up - g)*N.3;
+        der(x) = vx;
+        der(y) = vy;
+        der(z) = vz;
+        der(vx) = dot(a, N.1);
+        der(vy) = dot(a, N.2);
+        der(vz) = dot(a, N.3);
+        marker s in N;
+        observe place = (x, y, z) in N + s;
+    ";
+
+    #[test]
+    fn tested_terms_act_as_the_coefficients_that_they_are() {
+        let model = model_spec::load::from_text("stone.hyz", STONE, &[]).unwrap();
+        let release = Release {
+            stop: Stop::Duration(0.5),
+            ..Release::of(&model)
+        };
+        let plan = Plan {
+            rate: 400.0,
+            ..Plan::default()
+        };
+        let dataset = flights(&model, &[release], &plan).unwrap().dataset;
+        let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+        let observations = Observations::new(&problem, &dataset.flights[0]).unwrap();
+        let (global, local) = (problem.model_values(), [0.0, 0.0, 2.0, 9.0, 1.0, 3.0]);
+        let targets = targets(&problem, &observations, &global);
+        let place = |name: &str| {
+            let mut globals = problem.globals.iter();
+            globals.position(|own| own.name == name).unwrap()
+        };
+        let [k, k_late, a_up] = ["k", "k_late", "a_up"].map(place);
+        let rate_of_vz = Target::Rate(StateId::new(5));
+        let test = |target| 2 * targets.iter().position(|own| *own == target).unwrap();
+        let late_k = 1 + test(Target::Coefficient(GlobalId::new(k)));
+        let constant = test(rate_of_vz);
+        let times = &observations.times;
+        let late = |time: f64| 0.5 * (1.0 + ((time - 0.2) / 1e-4).tanh());
+        let weights = DMatrix::from_fn(times.len(), 2, |sample, function| match function {
+            0 => 1.0,
+            _ => late(times[sample]),
+        });
+        let found = linearise_with_terms(
+            &problem,
+            &observations,
+            (&global, &DVector::from_row_slice(&local)),
+            &NoiseModel::white(1e-3, 1.0 / 400.0),
+            (&targets, &weights),
+        );
+        let (block, tested) = found.unwrap().unwrap();
+        for (test, same) in [(late_k, k_late), (constant, a_up)] {
+            for other in 0..3 {
+                let ratio = tested.by_global[(other, test)] / block.global[(other, same)];
+                assert!((ratio - 1.0).abs() < 2e-2, "{same} {other} {ratio}");
+            }
+            let ratio = tested.information[test] / block.global[(same, same)];
+            assert!((ratio - 1.0).abs() < 2e-2, "{same} {ratio}");
+            let cross = block.cross.column(same);
+            let left = tested.by_local.column(test) - cross;
+            assert!(left.norm() < 2e-2 * cross.norm(), "{left}");
+        }
+    }
+}
