@@ -1,0 +1,175 @@
+//! Constraints of a model, compiled: how far a state is from them, and the shortest way back.
+
+use std::fmt;
+use std::sync::Arc;
+
+use codegen::compile::Selection;
+use model_spec::model::{AuxVariable, Expr, ExprKind, Model, Shape};
+use nalgebra::{DMatrix, DVector};
+
+use crate::inputs::FlightParameters;
+use crate::{BoundModel, CompiledModel, Workspace};
+
+/// Maximum number of steps of Newton's method.
+const MAX_STEPS: usize = 20;
+/// Size of a step, relative to the states, below which the constraints hold but for rounding.
+const SMALL: f64 = 4.0 * f64::EPSILON;
+/// Singular values relative to the greatest, below which constraints count as saying the same.
+const RANK_TOLERANCE: f64 = 1e-10;
+
+/// Deviations from the constraints of a model, and from the derivatives of these that have no unknowns, with their
+/// derivatives by the states.
+pub struct Constraints {
+    compiled: Box<CompiledModel>,
+    count: usize,
+    states: usize,
+}
+
+impl fmt::Debug for Constraints {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Constraints")
+            .field("count", &self.count)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Constraints {
+    /// Compiles the constraints of a model; `None` if it has none.
+    pub fn of(model: &Model) -> Option<Constraints> {
+        let systems = model.systems.iter();
+        let deviations: Vec<Expr> = systems.flat_map(|own| own.constraints.clone()).collect();
+        if deviations.is_empty() {
+            return None;
+        }
+        let mut own = model.clone();
+        for system in &mut own.systems {
+            system.constraints.clear();
+        }
+        own.observation = None;
+        own.limits.clear();
+        let states = model.states.len();
+        for (k, deviation) in deviations.iter().enumerate() {
+            let name = format!("constraint__{k}");
+            let by_state = (0..states).map(|state| Expr {
+                kind: ExprKind::Partial(Box::new(deviation.clone()), state),
+                shape: Shape::Scalar,
+                ..deviation.clone()
+            });
+            let all = std::iter::once(deviation.clone()).chain(by_state);
+            let all = all.map(|value| AuxVariable::new(name.clone(), value));
+            own.aux_variables.extend(all);
+        }
+        let compiled = CompiledModel::compiled_for(&own, &Selection::Only(Vec::new()));
+        Some(Constraints {
+            compiled: Box::new(compiled),
+            count: deviations.len(),
+            states,
+        })
+    }
+
+    /// Number of constraints, and of their derivatives that have no unknowns.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Whether the constraints at the default states change with a parameter, by its index in the model's
+    /// [`Layout`](codegen::Layout).
+    pub fn depend_on(&self, parameters: &[f64], index: usize) -> bool {
+        let states = self.compiled.layout().default_states();
+        let at = |parameters: &[f64]| self.bind(parameters.to_vec()).deviations(0.0, &states);
+        let mut moved = parameters.to_vec();
+        moved[index] = 1.01 * moved[index] + 0.01;
+        let ((a, da), (b, db)) = (at(parameters), at(&moved));
+        let mut all = a.iter().chain(&da).zip(b.iter().chain(&db));
+        all.any(|(a, b)| (a - b).abs() > 0.0)
+    }
+
+    /// Binds the constraints to values of the model's parameters.
+    pub fn bind(&self, parameters: impl Into<FlightParameters>) -> BoundConstraints<'_> {
+        BoundConstraints {
+            constraints: self,
+            bound: Arc::new(self.compiled.bind(parameters)),
+            scratch: Scratch::default(),
+        }
+    }
+}
+
+#[derive(Clone, Default)]
+struct Scratch {
+    workspace: Workspace,
+    parameters: Vec<f64>,
+    quantities: Vec<f64>,
+}
+
+/// Constraints of a model with values of its parameters.
+#[derive(Clone)]
+pub struct BoundConstraints<'a> {
+    constraints: &'a Constraints,
+    bound: Arc<BoundModel<'a>>,
+    scratch: Scratch,
+}
+
+impl BoundConstraints<'_> {
+    /// Deviations from the constraints at a state, SI, and their derivatives by the states, a row for each.
+    pub fn deviations(&mut self, t: f64, state: &[f64]) -> (DVector<f64>, DMatrix<f64>) {
+        let Constraints { count, states, .. } = *self.constraints;
+        let Scratch {
+            workspace,
+            parameters,
+            quantities,
+        } = &mut self.scratch;
+        quantities.resize(self.constraints.compiled.layout().quantities.len(), 0.0);
+        let at = self.bound.at(t, state, parameters);
+        self.bound.functions().quantities(at, workspace, quantities);
+        let own = &quantities[quantities.len() - count * (states + 1)..];
+        let deviations = DVector::from_fn(count, |row, _| own[row * (states + 1)]);
+        let by_state = DMatrix::from_fn(count, states, |row, state| {
+            own[row * (states + 1) + 1 + state]
+        });
+        (deviations, by_state)
+    }
+
+    /// Moves a state to where the constraints hold, by the shortest steps of Newton's method along the columns of
+    /// `directions`; without these, along all states. Returns whether it has moved; where the steps do not end, the state
+    /// stays.
+    pub fn project(
+        &mut self,
+        t: f64,
+        state: &mut [f64],
+        directions: Option<&DMatrix<f64>>,
+    ) -> bool {
+        let mut moved = state.to_vec();
+        let mut has_moved = false;
+        for _ in 0..MAX_STEPS {
+            let (deviations, by_state) = self.deviations(t, &moved);
+            let along = match directions {
+                Some(directions) => by_state * directions,
+                None => by_state,
+            };
+            if along.ncols() == 0 || !along.iter().chain(&deviations).all(|v| v.is_finite()) {
+                return false;
+            }
+            let svd = along.svd(true, true);
+            let tolerance = RANK_TOLERANCE * svd.singular_values.max();
+            let Ok(step) = svd.solve(&deviations, tolerance) else {
+                return false;
+            };
+            let step = match directions {
+                Some(directions) => directions * step,
+                None => step,
+            };
+            let size = moved.iter().map(|v| v * v).sum::<f64>().sqrt();
+            if step.norm() <= SMALL * size {
+                if has_moved {
+                    state.copy_from_slice(&moved);
+                }
+                return has_moved;
+            }
+            for (state, change) in moved.iter_mut().zip(&step) {
+                *state -= change;
+            }
+            has_moved = true;
+        }
+        false
+    }
+}
