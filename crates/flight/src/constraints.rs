@@ -23,6 +23,8 @@ pub struct Constraints {
     compiled: Box<CompiledModel>,
     count: usize,
     states: usize,
+    /// State indices of each unit quaternion.
+    quaternions: Vec<[usize; 4]>,
 }
 
 impl fmt::Debug for Constraints {
@@ -64,6 +66,7 @@ impl Constraints {
             compiled: Box::new(compiled),
             count: deviations.len(),
             states,
+            quaternions: model.quaternions().collect(),
         })
     }
 
@@ -112,7 +115,7 @@ pub struct BoundConstraints<'a> {
 impl BoundConstraints<'_> {
     /// Deviations from the constraints at a state, SI, and their derivatives by the states, a row for each.
     pub fn deviations(&mut self, t: f64, state: &[f64]) -> (DVector<f64>, DMatrix<f64>) {
-        let Constraints { count, states, .. } = *self.constraints;
+        let (count, states) = (self.constraints.count, self.constraints.states);
         let Scratch {
             workspace,
             parameters,
@@ -129,6 +132,20 @@ impl BoundConstraints<'_> {
         (deviations, by_state)
     }
 
+    /// Takes from derivatives by the states the part along each quaternion, whose length is not to change.
+    fn keep_lengths(&self, by_state: &mut DMatrix<f64>, state: &[f64]) {
+        for quaternion in &self.constraints.quaternions {
+            let own = quaternion.map(|k| state[k]);
+            let square: f64 = own.iter().map(|q| q * q).sum();
+            for mut row in by_state.row_iter_mut() {
+                let along: f64 = quaternion.iter().zip(own).map(|(&k, q)| row[k] * q).sum();
+                for (&k, q) in quaternion.iter().zip(&own) {
+                    row[k] -= along / square * q;
+                }
+            }
+        }
+    }
+
     /// Moves a state to where the constraints hold, by the shortest steps of Newton's method along the columns of
     /// `directions`; without these, along all states. Returns whether it has moved; where the steps do not end, the state
     /// stays.
@@ -141,7 +158,8 @@ impl BoundConstraints<'_> {
         let mut moved = state.to_vec();
         let mut has_moved = false;
         for _ in 0..MAX_STEPS {
-            let (deviations, by_state) = self.deviations(t, &moved);
+            let (deviations, mut by_state) = self.deviations(t, &moved);
+            self.keep_lengths(&mut by_state, &moved);
             let along = match directions {
                 Some(directions) => by_state * directions,
                 None => by_state,
