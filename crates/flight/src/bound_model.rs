@@ -21,9 +21,9 @@ impl CompiledModel {
     /// Binds the model to parameter values, in the order of its [`Layout`](codegen::Layout), and to inputs over time,
     /// and computes the invariants, which are values that depend on the constant parameters alone.
     pub fn bind(&self, parameters: impl Into<FlightParameters>) -> BoundModel<'_> {
-        let parameters = parameters.into();
+        let parameters: FlightParameters = parameters.into();
         let constraints = self.constraints.as_ref();
-        let constraints = constraints.map(|own| own.bind(parameters.clone()));
+        let constraints = constraints.map(|own| own.bind(parameters.constants.clone()));
         let FlightParameters { constants, inputs } = parameters;
         let mut prepared = vec![0.0; self.functions.prepared_len()];
         self.functions.prepare(&constants, &mut prepared);

@@ -3,12 +3,13 @@
 use std::fmt;
 use std::sync::Arc;
 
-use codegen::compile::Selection;
+use codegen::Layout;
+use codegen::compile::{Selection, compile_for};
+use codegen::tape_model::TapeModel;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Model, Shape};
 use nalgebra::{DMatrix, DVector};
 
-use crate::inputs::FlightParameters;
-use crate::{BoundModel, CompiledModel, Workspace};
+use crate::functions::{EvaluationPoint, ModelFunctions, Workspace};
 
 /// Maximum number of steps of Newton's method.
 const MAX_STEPS: usize = 20;
@@ -20,7 +21,8 @@ const RANK_TOLERANCE: f64 = 1e-10;
 /// Deviations from the constraints of a model, and from the derivatives of these that have no unknowns, with their
 /// derivatives by the states.
 pub struct Constraints {
-    compiled: Box<CompiledModel>,
+    functions: ModelFunctions,
+    layout: Layout,
     count: usize,
     states: usize,
     /// State indices of each unit quaternion.
@@ -61,9 +63,10 @@ impl Constraints {
             let all = all.map(|value| AuxVariable::new(name.clone(), value));
             own.aux_variables.extend(all);
         }
-        let compiled = CompiledModel::compiled_for(&own, &Selection::Only(Vec::new()));
+        let compiled = compile_for(&own, &Selection::Only(Vec::new()));
         Some(Constraints {
-            compiled: Box::new(compiled),
+            functions: ModelFunctions::Tape(Box::new(TapeModel::new(&compiled))),
+            layout: Layout::new(&own),
             count: deviations.len(),
             states,
             quaternions: model.quaternions().collect(),
@@ -78,7 +81,7 @@ impl Constraints {
     /// Whether the constraints at the default states change with a parameter, by its index in the model's
     /// [`Layout`](codegen::Layout).
     pub fn depend_on(&self, parameters: &[f64], index: usize) -> bool {
-        let states = self.compiled.layout().default_states();
+        let states = self.layout.default_states();
         let at = |parameters: &[f64]| self.bind(parameters.to_vec()).deviations(0.0, &states);
         let mut moved = parameters.to_vec();
         moved[index] = 1.01 * moved[index] + 0.01;
@@ -88,10 +91,12 @@ impl Constraints {
     }
 
     /// Binds the constraints to values of the model's parameters.
-    pub fn bind(&self, parameters: impl Into<FlightParameters>) -> BoundConstraints<'_> {
+    pub fn bind(&self, parameters: Vec<f64>) -> BoundConstraints<'_> {
+        let mut prepared = vec![0.0; self.functions.prepared_len()];
+        self.functions.prepare(&parameters, &mut prepared);
         BoundConstraints {
             constraints: self,
-            bound: Arc::new(self.compiled.bind(parameters)),
+            values: Arc::new((parameters, prepared)),
             scratch: Scratch::default(),
         }
     }
@@ -100,7 +105,6 @@ impl Constraints {
 #[derive(Clone, Default)]
 struct Scratch {
     workspace: Workspace,
-    parameters: Vec<f64>,
     quantities: Vec<f64>,
 }
 
@@ -108,7 +112,8 @@ struct Scratch {
 #[derive(Clone)]
 pub struct BoundConstraints<'a> {
     constraints: &'a Constraints,
-    bound: Arc<BoundModel<'a>>,
+    /// Parameters, and the values computed from them.
+    values: Arc<(Vec<f64>, Vec<f64>)>,
     scratch: Scratch,
 }
 
@@ -118,12 +123,17 @@ impl BoundConstraints<'_> {
         let (count, states) = (self.constraints.count, self.constraints.states);
         let Scratch {
             workspace,
-            parameters,
             quantities,
         } = &mut self.scratch;
-        quantities.resize(self.constraints.compiled.layout().quantities.len(), 0.0);
-        let at = self.bound.at(t, state, parameters);
-        self.bound.functions().quantities(at, workspace, quantities);
+        quantities.resize(self.constraints.layout.quantities.len(), 0.0);
+        let at = EvaluationPoint {
+            t,
+            x: state,
+            p: &self.values.0,
+            prepared: &self.values.1,
+        };
+        let functions = &self.constraints.functions;
+        functions.quantities(at, workspace, quantities);
         let own = &quantities[quantities.len() - count * (states + 1)..];
         let deviations = DVector::from_fn(count, |row, _| own[row * (states + 1)]);
         let by_state = DMatrix::from_fn(count, states, |row, state| {
