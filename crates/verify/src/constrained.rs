@@ -33,7 +33,9 @@ pub(crate) fn project(model: &Model, point: &mut Point<f64>) {
         for quaternion in model.quaternions() {
             let squares = quaternion.map(|state| point.states[state].powi(2));
             let length = squares.iter().sum::<f64>().sqrt();
-            quaternion.map(|state| point.states[state] /= length);
+            for state in quaternion {
+                point.states[state] /= length;
+            }
         }
         if step.norm() <= SMALL * size {
             return;

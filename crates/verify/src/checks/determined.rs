@@ -30,7 +30,10 @@ pub fn fault(model: &Model, options: &Options) -> Option<Row> {
         };
         let tree = Tree::new(model, &point);
         // NaN is not determined.
-        never.retain(|limit| !(tree.scalar(&limit.value) > limit.bound));
+        never.retain(|limit| {
+            let value = tree.scalar(&limit.value);
+            value.is_nan() || value <= limit.bound
+        });
     }
     let faults = never.iter().map(|limit| {
         let reason = limit.reason.trim_end_matches(" here");
