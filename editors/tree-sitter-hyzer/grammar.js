@@ -12,7 +12,7 @@ const DECLARING = [
 const OTHERS = [
   "reference", "include", "claim", "solve", "constraint", "clock", "limit", "check", "set", "expect", "replace", "site",
   "variables", "source", "needs", "generalises", "negligible", "increases", "decreases", "mass", "inertia", "fixed",
-  "axis", "position", "velocity", "angular", "return",
+  "axis", "forward", "position", "velocity", "angular", "return",
 ];
 
 const commaSeparated = (rule) => seq(rule, repeat(seq(",", rule)));

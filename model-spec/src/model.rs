@@ -2,6 +2,7 @@
 //!
 //! The compiler and the tree oracle read this representation. All indices refer to the vectors of [`Model`].
 
+mod axes;
 mod cases;
 mod parts;
 mod system;
@@ -14,6 +15,7 @@ use crate::syntax::ast;
 use crate::unit::Unit;
 
 pub use crate::location::Source;
+pub use axes::{BodyAxis, FlightAxes};
 pub use cases::{CheckCase, Expectation, Observable, Target};
 pub use parts::{
     AppliedEffect, Claim, ClaimedAttitude, ClaimedRotation, Continuation, EffectUnknown, Function,
@@ -236,6 +238,8 @@ pub struct Rotation {
     /// With a quaternion attitude: indices of the states of the angular velocity, and of their frame. `None` for three
     /// angles, whose rates are states.
     pub angular_velocity: Option<([usize; 3], usize)>,
+    /// Axis of the spin and axis that points ahead, in [`Rotation::body_frame`].
+    pub axes: FlightAxes,
 }
 
 /// An auxiliary variable: a named expression, declared by `let`.
@@ -398,6 +402,9 @@ pub enum ExprKind {
     /// Derivative by the time of the flight along the motion, of a vector in the inertial frame: `der(EXPR)`. States on
     /// which the expression depends, and their derivatives.
     Rate(Box<Expr>, Vec<usize>, Box<[Expr]>),
+    /// Derivative of a state of the body by the time of the flight: index into [`Model::states`], and the forces or
+    /// moments on which it depends; none of a coordinate.
+    BodyRate(usize, Box<[Expr]>),
     /// Derivative of a scalar by a state, all others held: `partial(EXPR, STATE)`.
     Partial(Box<Expr>, usize),
     /// Unit vector along an axis of a frame: index into [`Model::frames`], and number of the axis (1 to 3).

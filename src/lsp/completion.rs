@@ -6,6 +6,8 @@ use serde_json::{Value, json};
 
 use super::document::Document;
 use super::hover::facts_of;
+use super::includes;
+use super::project::Project;
 use super::words::{INNER, built_in, statements};
 
 /// Units that are offered besides all symbols without a prefix.
@@ -27,8 +29,12 @@ enum Place {
 }
 
 /// Result of `textDocument/completion`.
-pub fn complete(document: &Document, position: &Value) -> Value {
+pub fn complete(document: &Document, project: &Project<'_>, position: &Value) -> Value {
     let offset = document.lines.offset(&document.text, position);
+    if let Some(files) = includes::files(document, offset) {
+        return files;
+    }
+    let at = project.offset(position);
     let before = &document.text[..offset];
     let is_of_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\u{307}' | '\u{308}');
     let before = before.trim_end_matches(is_of_word);
@@ -39,7 +45,15 @@ pub fn complete(document: &Document, position: &Value) -> Value {
     };
     match place(before) {
         Place::Nothing => json!([]),
-        Place::Statement => Value::Array(words(&statements(), 14)),
+        Place::Statement => {
+            let mut items = words(&statements(), 14);
+            if is_in_solve(before) {
+                // An equation begins with any name.
+                items.extend(names(project, at, |kind| !is_heading(kind)));
+                items.extend(words(&built_in(), 3));
+            }
+            Value::Array(items)
+        }
         Place::Unit => Value::Array(units()),
         Place::Type => {
             let mut items = words(&[("vector", "vector UNIT in FRAME", "a vector")], 14);
@@ -47,19 +61,11 @@ pub fn complete(document: &Document, position: &Value) -> Value {
             Value::Array(items)
         }
         Place::Frame => {
-            let frames = names(document, offset, |kind| kind == SymbolKind::Frame);
+            let frames = names(project, at, |kind| kind == SymbolKind::Frame);
             Value::Array(frames)
         }
         Place::Expression => {
-            let mut items = names(document, offset, |kind| {
-                let others = [
-                    SymbolKind::Model,
-                    SymbolKind::Body,
-                    SymbolKind::Effect,
-                    SymbolKind::Observation,
-                ];
-                !others.contains(&kind)
-            });
+            let mut items = names(project, at, |kind| !is_heading(kind));
             items.extend(words(&built_in(), 3));
             items.extend(words(&INNER.map(|word| (word, "", "")), 14));
             Value::Array(items)
@@ -143,14 +149,43 @@ fn units() -> Vec<Value> {
         .collect()
 }
 
-fn names(document: &Document, offset: usize, is_wanted: impl Fn(SymbolKind) -> bool) -> Vec<Value> {
-    let known = document.known().symbols.known_at(offset);
-    let known = known.filter(|own| is_wanted(own.kind));
-    known.map(|own| item(document, own)).collect()
+/// Whether a declaration names no value, frame or load.
+fn is_heading(kind: SymbolKind) -> bool {
+    let headings = [
+        SymbolKind::Model,
+        SymbolKind::Body,
+        SymbolKind::Effect,
+        SymbolKind::Observation,
+        SymbolKind::Solve,
+    ];
+    headings.contains(&kind)
 }
 
-fn item(document: &Document, own: &Declaration) -> Value {
-    let facts = document.model().and_then(|model| facts_of(model, own));
+/// Whether a text ends inside a block `solve { … }`.
+fn is_in_solve(before: &str) -> bool {
+    let mut open = 0_usize;
+    for (at, sign) in before.rmatch_indices(['{', '}']) {
+        match (sign, open) {
+            ("}", _) => open += 1,
+            (_, 0) => {
+                let head = before[..at].rsplit([';', '{', '}']).next();
+                let words = head.unwrap_or_default().split_whitespace();
+                return words.rev().take(2).any(|word| word == "solve");
+            }
+            _ => open -= 1,
+        }
+    }
+    false
+}
+
+fn names(project: &Project<'_>, at: usize, is_wanted: impl Fn(SymbolKind) -> bool) -> Vec<Value> {
+    let known = project.symbols.known_at(at);
+    let known = known.filter(|own| is_wanted(own.kind));
+    known.map(|own| item(project, own)).collect()
+}
+
+fn item(project: &Project<'_>, own: &Declaration) -> Value {
+    let facts = project.model.and_then(|model| facts_of(model, own));
     let facts = facts.unwrap_or_default();
     let parts = [own.kind.noun(), &facts.of, &facts.value];
     let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
@@ -160,6 +195,6 @@ fn item(document: &Document, own: &Declaration) -> Value {
         SymbolKind::Frame => 22,
         _ => 6,
     };
-    let label = document.text.get(own.range.clone());
+    let label = project.text(own.range.clone());
     json!({ "label": label, "kind": kind, "detail": parts.join(", "), "documentation": own.doc })
 }

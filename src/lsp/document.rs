@@ -1,5 +1,6 @@
 //! An open text, and what is known about it.
 
+use std::cell::OnceCell;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -13,6 +14,7 @@ use model_spec::syntax::ast::{self, ItemKind};
 use model_spec::syntax::{MAX_SOURCE_BYTES, parse};
 use serde_json::Value;
 
+use super::operations;
 use super::positions::Lines;
 use super::uri;
 
@@ -34,6 +36,8 @@ pub struct Document {
     analysis: Option<Analysis>,
     /// The model of the last text that had one.
     model: Option<Model>,
+    /// Operations for each quantity of that model, once they are asked for.
+    operations: OnceCell<Vec<usize>>,
 }
 
 /// What is known about a text.
@@ -58,6 +62,7 @@ impl Document {
             lines: Lines::default(),
             analysis: None,
             model: None,
+            operations: OnceCell::new(),
         };
         document.set(text.to_owned());
         document
@@ -101,11 +106,21 @@ impl Document {
         self.model.as_ref()
     }
 
+    /// Operations for each auxiliary variable of the model, by its index; none if they are not known.
+    pub fn operations(&self) -> &[usize] {
+        let model = self.model.as_ref();
+        let count = || model.map_or_else(Vec::new, operations::of_quantities);
+        self.operations.get_or_init(count)
+    }
+
     /// Finds out what is not known yet about the text.
     pub fn analyse(&mut self) {
         if self.analysis.is_none() {
             let (faults, sources, model) = checked(&self.path, &self.text);
-            self.model = model.or_else(|| self.model.take());
+            if let Some(model) = model {
+                self.model = Some(model);
+                self.operations = OnceCell::new();
+            }
             let symbols = match self.text.len() {
                 0..=MAX_SOURCE_BYTES => Symbols::of(&self.text),
                 _ => Symbols::default(),

@@ -1,6 +1,7 @@
 //! What is drawn into a text: its format, units behind names, and colours by meaning.
 
-use model_spec::symbols::{SymbolKind, WordKind};
+use model_spec::model::Model;
+use model_spec::symbols::{Declaration, SymbolKind, WordKind};
 use serde_json::{Value, json};
 
 use super::document::Document;
@@ -18,16 +19,21 @@ pub fn formatting(document: &Document) -> Value {
     json!([{ "range": whole, "newText": formatted }])
 }
 
-/// Result of `textDocument/inlayHint`: units and frames of named quantities that state none.
+/// Result of `textDocument/inlayHint`: units and frames of named quantities that state none, and behind each statement
+/// how many operations it costs.
 pub fn hints(document: &Document, range: &Value) -> Value {
     let shown = document.lines.offsets(&document.text, range);
     let Some(model) = document.model() else {
         return json!([]);
     };
     let declarations = document.known().symbols.declarations.iter();
-    let hints = declarations.filter_map(|own| {
-        let is_near = own.range.end >= shown.start && own.range.start <= shown.end;
-        if own.kind != SymbolKind::Quantity || !is_near {
+    let is_near = |own: &&Declaration| {
+        own.range.end >= shown.start && own.range.start <= shown.end && own.scope.start == 0
+    };
+    let near: Vec<&Declaration> = declarations.filter(is_near).collect();
+    let costs = near.iter().filter_map(|own| cost(document, model, own));
+    let units = near.iter().filter_map(|own| {
+        if own.kind != SymbolKind::Quantity {
             return None;
         }
         let rest = document.text.get(own.range.end..own.statement.end)?;
@@ -41,7 +47,27 @@ pub fn hints(document: &Document, range: &Value) -> Value {
         let position = json!({ "line": line, "character": character });
         Some(json!({ "position": position, "label": format!(": {of}"), "kind": 1 }))
     });
-    hints.collect()
+    units.chain(costs).collect()
+}
+
+/// Number of operations of a quantity or unknown, behind its statement.
+fn cost(document: &Document, model: &Model, own: &Declaration) -> Option<Value> {
+    if !matches!(own.kind, SymbolKind::Quantity | SymbolKind::Unknown) {
+        return None;
+    }
+    let index = model
+        .aux_variables
+        .iter()
+        .rposition(|it| it.name == own.name)?;
+    let count = *document.operations().get(index)?;
+    let (line, character) = document.lines.place(&document.text, own.statement.end);
+    let tooltip = "operations in compiled code, with those of the quantities that it uses";
+    Some(json!({
+        "position": { "line": line, "character": character },
+        "label": if count == 1 { "1 operation".to_owned() } else { format!("{count} operations") },
+        "paddingLeft": true,
+        "tooltip": tooltip,
+    }))
 }
 
 /// Types of semantic tokens, by index.

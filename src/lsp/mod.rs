@@ -8,9 +8,12 @@ mod document;
 mod facts;
 mod faults;
 mod hover;
+mod includes;
 mod layout;
 mod names;
+mod operations;
 mod positions;
+mod project;
 mod transport;
 mod uri;
 mod words;
@@ -19,6 +22,7 @@ use std::collections::BTreeMap;
 use std::io::{self, BufReader, Read, Write};
 
 use document::Document;
+use project::Project;
 use serde_json::{Value, json};
 use transport::Incoming;
 
@@ -192,23 +196,24 @@ impl Server {
             });
         };
         document.analyse();
-        let (document, position) = (&*document, &parameters["position"]);
+        let position = &parameters["position"];
+        let (document, project) = (&self.documents[uri], || Project::of(&self.documents, uri));
         Ok(match method {
             "textDocument/hover" => hover::hover(document, position),
-            "textDocument/definition" => names::definition(document, position),
+            "textDocument/definition" => names::definition(document, &project(), position),
             "textDocument/references" => {
                 let declaration = &parameters["context"]["includeDeclaration"];
-                names::references(document, position, declaration.as_bool().unwrap_or(true))
+                names::references(&project(), position, declaration.as_bool().unwrap_or(true))
             }
-            "textDocument/documentHighlight" => names::highlights(document, position),
-            "textDocument/prepareRename" => names::renamed_range(document, position),
+            "textDocument/documentHighlight" => names::highlights(document, &project(), position),
+            "textDocument/prepareRename" => names::renamed_range(&project(), position),
             "textDocument/rename" => {
                 let name = parameters["newName"].as_str().unwrap_or_default();
-                return names::rename(document, position, name)
+                return names::rename(&project(), position, name)
                     .map_err(|reason| (REQUEST_FAILED, reason));
             }
             "textDocument/documentSymbol" => names::outline(document),
-            "textDocument/completion" => completion::complete(document, position),
+            "textDocument/completion" => completion::complete(document, &project(), position),
             "textDocument/codeAction" => faults::actions(document, &parameters["range"]),
             "textDocument/formatting" => layout::formatting(document),
             "textDocument/inlayHint" => layout::hints(document, &parameters["range"]),

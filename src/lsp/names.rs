@@ -1,37 +1,40 @@
 //! Where names are declared and used, and other names for them.
 
-use std::ops::Range;
+use std::collections::BTreeMap;
 
+use model_spec::diagnostic::Source;
 use model_spec::symbols::{SymbolKind, Symbols, WordKind};
 use serde_json::{Value, json};
 
 use super::document::Document;
+use super::includes;
 use super::positions::Lines;
+use super::project::Project;
 use super::uri;
 
-fn location(document: &Document, range: Range<usize>) -> Value {
-    json!({ "uri": document.uri, "range": document.lines.range(&document.text, range) })
-}
-
 /// Result of `textDocument/definition`.
-pub fn definition(document: &Document, position: &Value) -> Value {
-    let offset = document.lines.offset(&document.text, position);
-    let symbols = &document.known().symbols;
+pub fn definition(document: &Document, project: &Project<'_>, position: &Value) -> Value {
+    let offset = project.offset(position);
+    let symbols = &project.symbols;
     if let Some(own) = symbols.declaration_at(offset) {
-        return location(document, symbols.declarations[own].range.clone());
+        return project.location(symbols.declarations[own].range.clone());
+    }
+    let in_text = document.lines.offset(&document.text, position);
+    if let Some(file) = includes::definition(document, in_text) {
+        return file;
     }
     let word = symbols
         .word_at(offset)
         .filter(|word| word.kind == WordKind::Unknown);
-    let name = word.and_then(|word| document.text.get(word.range.clone()));
+    let name = word.and_then(|word| project.text(word.range.clone()));
     name.map_or(Value::Null, |name| elsewhere(document, name))
 }
 
-/// Declaration of a name in a file that this one includes, or in the model that an effect is for.
+/// Declaration of a name in the model that an effect is for.
 fn elsewhere(document: &Document, name: &str) -> Value {
-    let of_model = document.model().map_or(&[][..], |model| &model.sources);
-    let sources = document.known().sources.iter().skip(1).chain(of_model);
-    for source in sources.filter(|source| std::path::Path::new(&source.name).is_file()) {
+    let sources = document.model().map_or(&[][..], |model| &model.sources);
+    let is_file = |source: &&Source| std::path::Path::new(&source.name).is_file();
+    for source in sources.iter().filter(is_file) {
         let symbols = Symbols::of(&source.text);
         if let Some(found) = symbols.declarations.iter().find(|own| own.name == name) {
             let range = Lines::of(&source.text).range(&source.text, found.range.clone());
@@ -41,55 +44,57 @@ fn elsewhere(document: &Document, name: &str) -> Value {
     Value::Null
 }
 
-/// Result of `textDocument/references`.
-pub fn references(document: &Document, position: &Value, with_declaration: bool) -> Value {
-    let offset = document.lines.offset(&document.text, position);
-    let symbols = &document.known().symbols;
-    let Some(own) = symbols.declaration_at(offset) else {
+/// Result of `textDocument/references`, in all files of the model.
+pub fn references(project: &Project<'_>, position: &Value, with_declaration: bool) -> Value {
+    let symbols = &project.symbols;
+    let Some(own) = symbols.declaration_at(project.offset(position)) else {
         return Value::Null;
     };
     let declared = &symbols.declarations[own].range;
     let ranges = symbols
         .occurrences(own)
         .filter(|range| with_declaration || range != declared);
-    ranges.map(|range| location(document, range)).collect()
+    ranges.map(|range| project.location(range)).collect()
 }
 
 /// Result of `textDocument/documentHighlight`.
-pub fn highlights(document: &Document, position: &Value) -> Value {
-    let found = references(document, position, true);
-    let ranges = found.as_array().into_iter().flatten();
-    ranges
-        .map(|location| json!({ "range": location["range"] }))
+pub fn highlights(document: &Document, project: &Project<'_>, position: &Value) -> Value {
+    let found = references(project, position, true);
+    let own = found.as_array().into_iter().flatten();
+    let own = own.filter(|location| location["uri"] == document.uri.as_str());
+    own.map(|location| json!({ "range": location["range"] }))
         .collect()
 }
 
 /// Result of `textDocument/prepareRename`: the range of the name, `null` where nothing can be renamed.
-pub fn renamed_range(document: &Document, position: &Value) -> Value {
-    let offset = document.lines.offset(&document.text, position);
-    let symbols = &document.known().symbols;
+pub fn renamed_range(project: &Project<'_>, position: &Value) -> Value {
+    let (offset, symbols) = (project.offset(position), &project.symbols);
     match (symbols.declaration_at(offset), symbols.word_at(offset)) {
-        (Some(_), Some(word)) => document.lines.range(&document.text, word.range.clone()),
+        (Some(_), Some(word)) => project.location(word.range.clone())["range"].take(),
         _ => Value::Null,
     }
 }
 
-/// Result of `textDocument/rename`.
+/// Result of `textDocument/rename`, in all files of the model.
 ///
 /// # Errors
 /// Why the name cannot be changed so.
-pub fn rename(document: &Document, position: &Value, name: &str) -> Result<Value, String> {
-    let offset = document.lines.offset(&document.text, position);
-    let symbols = &document.known().symbols;
-    let own = symbols.declaration_at(offset);
-    let own = own.ok_or_else(|| "this file declares no such name".to_owned())?;
+pub fn rename(project: &Project<'_>, position: &Value, name: &str) -> Result<Value, String> {
+    let symbols = &project.symbols;
+    let own = symbols.declaration_at(project.offset(position));
+    let own = own
+        .ok_or_else(|| "neither this file nor one of its model declares such a name".to_owned())?;
     if let Some(reason) = symbols.refusal(own, name) {
         return Err(reason);
     }
-    let edit =
-        |range| json!({ "range": document.lines.range(&document.text, range), "newText": name });
-    let edits: Vec<Value> = symbols.occurrences(own).map(edit).collect();
-    Ok(json!({ "changes": { document.uri.as_str(): edits } }))
+    let mut changes: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+    for range in symbols.occurrences(own) {
+        let location = project.location(range);
+        let uri = location["uri"].as_str().unwrap_or_default().to_owned();
+        let edit = json!({ "range": location["range"], "newText": name });
+        changes.entry(uri).or_default().push(edit);
+    }
+    Ok(json!({ "changes": changes }))
 }
 
 /// Result of `textDocument/documentSymbol`.
@@ -124,6 +129,7 @@ fn protocol_kind(kind: SymbolKind) -> u8 {
         SymbolKind::Parameter | SymbolKind::Coefficient => 14,
         SymbolKind::Force | SymbolKind::Moment => 24,
         SymbolKind::Effect => 11,
+        SymbolKind::Solve => 19,
         _ => 13,
     }
 }

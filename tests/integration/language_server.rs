@@ -217,6 +217,126 @@ fn every_function_is_described() {
     }
 }
 
+/// A model that includes a file, both open; names are those of the model, in whichever file they stand.
+#[test]
+fn names_of_included_files_are_those_of_the_model() {
+    let folder = std::env::temp_dir().join(format!("hyzer-lsp-{}", std::process::id()));
+    fs::create_dir_all(folder.join("parts")).expect("a folder");
+    let part = "/// of the air\nparam rho = 1.2 kg/m^3;\nlet q = rho*V^2/2;\n";
+    let model = "model bob;\nparam m = 1 kg;\nframe N;\npoint bob { mass m; position (x, y, z) in N; velocity (u, v, w) in N; }\n\
+        include \"parts/air.hyz\";\nlet V = norm(velocity);\nforce drag = -q*(1 m^2)*unit(velocity) - T*N.1/rho*(1 kg/m^3);\n\
+        solve rail {\n  unknown T: N;\n  constraint x = 0 within 1 mm;\n}\nlet load = T/m;\n";
+    let model = model
+        .replace("(1 m^2)", "(1 [m^2])")
+        .replace("(1 kg/m^3)", "(1 [kg/m^3])");
+    let paths = [folder.join("bob.hyz"), folder.join("parts/air.hyz")];
+    fs::write(&paths[0], &model).expect("written");
+    fs::write(&paths[1], part).expect("written");
+    let [main, air] = paths
+        .each_ref()
+        .map(|path| format!("file://{}", path.display()));
+    let mut server = Server::with_text(&main, &model);
+    let own = json!({ "uri": air, "version": 1, "text": part });
+    server.send(&json!({ "method": "textDocument/didOpen", "params": { "textDocument": own } }));
+    server.answer(PATIENCE).expect("the errors of the part");
+    let ask = |server: &mut Server, method: &str, uri: &str, line: usize, character: usize| {
+        let parameters = json!({
+            "textDocument": { "uri": uri }, "position": { "line": line, "character": character },
+            "newName": "density", "context": { "includeDeclaration": true },
+            "range": { "start": { "line": 0, "character": 0 }, "end": { "line": 99, "character": 0 } },
+        });
+        server.asked(&format!("textDocument/{method}"), &parameters)["result"].take()
+    };
+    let line_of = |text: &str| {
+        model
+            .lines()
+            .position(|line| line.contains(text))
+            .expect(text)
+    };
+    let drag = line_of("force drag");
+    let column = |text: &str| model.lines().nth(drag).unwrap().find(text).unwrap();
+    // Definition, of a name and of the file.
+    let found = ask(&mut server, "definition", &main, drag, column("rho"));
+    assert_eq!(found["uri"], air.as_str());
+    assert_eq!(
+        found["range"]["start"],
+        json!({ "line": 1, "character": 6 })
+    );
+    let found = ask(&mut server, "definition", &main, line_of("include"), 12);
+    assert_eq!(found["uri"], air.as_str());
+    // References and rename, from either file.
+    for (uri, line, character) in [(&main, drag, column("rho")), (&air, 2, 8)] {
+        let found = ask(&mut server, "references", uri, line, character);
+        let uris = found.as_array().expect("references").iter();
+        let uris: Vec<&str> = uris.filter_map(|own| own["uri"].as_str()).collect();
+        assert_eq!(uris, [main.as_str(), &air, &air], "{found}");
+        let edits = ask(&mut server, "rename", uri, line, character)["changes"].take();
+        assert_eq!(edits[&main].as_array().map(Vec::len), Some(1), "{edits}");
+        assert_eq!(edits[&air].as_array().map(Vec::len), Some(2), "{edits}");
+        assert_eq!(
+            edits[&main][0]["range"]["start"],
+            json!({ "line": drag, "character": column("rho") })
+        );
+    }
+    // The unknown of a block, its uses, and its costs.
+    let found = ask(&mut server, "definition", &main, drag, column("T*N.1"));
+    let unknown = line_of("unknown T");
+    assert_eq!(
+        found["range"]["start"],
+        json!({ "line": unknown, "character": 10 })
+    );
+    let found = ask(&mut server, "references", &main, unknown, 10);
+    assert_eq!(found.as_array().map(Vec::len), Some(3), "{found}");
+    let hints = ask(&mut server, "inlayHint", &main, 0, 0);
+    let costs = hints.as_array().expect("hints").iter();
+    let costs = costs.filter(|hint| {
+        hint["label"]
+            .as_str()
+            .is_some_and(|label| label.contains("operation"))
+    });
+    let places: Vec<_> = costs
+        .map(|hint| hint["position"]["line"].as_u64())
+        .collect();
+    let expected = [line_of("let V"), unknown, line_of("let load")];
+    assert_eq!(places, expected.map(|line| Some(line as u64)), "{hints}");
+    // Completion: names of the part, words and names in a block, files.
+    let labels = |found: &Value| -> Vec<String> {
+        let items = found.as_array().into_iter().flatten();
+        items
+            .filter_map(|item| Some(item["label"].as_str()?.to_owned()))
+            .collect()
+    };
+    let found = labels(&ask(&mut server, "completion", &main, drag, column("q*")));
+    assert!(
+        ["rho", "q", "T", "V"]
+            .iter()
+            .all(|name| found.contains(&(*name).to_owned())),
+        "{found:?}"
+    );
+    let found = labels(&ask(
+        &mut server,
+        "completion",
+        &main,
+        line_of("constraint"),
+        2,
+    ));
+    assert!(
+        ["constraint", "unknown", "x", "rho"]
+            .iter()
+            .all(|name| found.contains(&(*name).to_owned())),
+        "{found:?}"
+    );
+    let found = labels(&ask(
+        &mut server,
+        "completion",
+        &main,
+        line_of("include"),
+        12,
+    ));
+    assert_eq!(found, ["parts/air.hyz"]);
+    let _ = fs::remove_dir_all(&folder);
+}
+
 /// Random edits, and everything that can be asked, on texts of the repository; `EDITS` says how many.
 #[test]
 fn random_edits_do_no_harm() {

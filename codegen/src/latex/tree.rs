@@ -37,6 +37,10 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
             r"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}} {}",
             of(of_rate).at_least(Bind::Atom).text
         )),
+        E::BodyRate(state, _) => Piece::atom(format!(
+            r"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}} {}",
+            name(&model.states[*state].name, Style::Scalar)
+        )),
         E::Partial(value, state) => Piece::atom(format!(
             r"\frac{{\partial {}}}{{\partial {}}}",
             of(value).at_least(Bind::Atom).text,

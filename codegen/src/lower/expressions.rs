@@ -50,6 +50,7 @@ impl Lowering<'_> {
             E::Unknown(system, k) => Value::Scalar(self.unknowns[*system][*k]),
             E::Determinacy(system) => Value::Scalar(self.determinacies[*system]),
             E::Rate(of, states, rates) => self.rate(of, states, rates),
+            E::BodyRate(state, loads) => Value::Scalar(self.body_rate(*state, loads.is_empty())),
             E::Partial(of, state) => {
                 let of = self.scalar(of);
                 let state = Symbol::State(*state as u32);

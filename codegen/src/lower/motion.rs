@@ -17,6 +17,7 @@ impl Lowering<'_> {
             dx[equation.state] = self.graph.project(value);
         }
         if let Some(body) = &model.body {
+            self.travel(body, &mut dx);
             self.newton(body, &mut dx);
             if let Some(rotation) = &body.rotation {
                 self.angles(&mut dx);
@@ -39,16 +40,40 @@ impl Lowering<'_> {
         dx
     }
 
-    /// Lowers `der(x) = v` in the inertial frame and `m (der(v) + ω × v) = Σ F` in the rotating `Body::velocity_frame`.
-    fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
+    /// Derivative of a state of the body by the time of the flight; a coordinate depends on no load.
+    pub(crate) fn body_rate(&mut self, state: usize, is_coordinate: bool) -> NodeId {
         let model = self.model;
-        let velocity = body
-            .velocity
-            .map(|state| self.graph.symbol(Symbol::State(state as u32)));
+        let zero = self.graph.whole(0);
+        let mut dx = vec![zero; model.states.len()];
+        let Some(body) = &model.body else { return zero };
+        if is_coordinate {
+            self.travel(body, &mut dx);
+            self.angles(&mut dx);
+        } else if body.velocity.contains(&state) {
+            self.newton(body, &mut dx);
+        } else if let Some(rotation) = &body.rotation {
+            self.euler(rotation, &mut dx);
+        }
+        dx[state]
+    }
+
+    fn velocity(&mut self, body: &Body) -> Vector {
+        body.velocity
+            .map(|state| self.graph.symbol(Symbol::State(state as u32)))
+    }
+
+    /// Lowers `der(x) = v` in the inertial frame.
+    fn travel(&mut self, body: &Body, dx: &mut [NodeId]) {
+        let (model, velocity) = (self.model, self.velocity(body));
         let travel = frames::reexpress(&mut self.graph, model, velocity, body.velocity_frame, 0);
         for k in 0..3 {
             dx[body.position[k]] = travel[k];
         }
+    }
+
+    /// Lowers `m (der(v) + ω × v) = Σ F` in the rotating `Body::velocity_frame`.
+    fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
+        let (model, velocity) = (self.model, self.velocity(body));
         let mass = self.scalar(&body.mass);
         self.graph.assume_nonzero(mass);
         let lightness = self.graph.power(mass, -2);

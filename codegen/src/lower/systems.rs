@@ -40,6 +40,7 @@ impl Lowering<'_> {
             self.determinacies[index] = solution.determinacy;
         }
         self.is_provisional = false;
+        self.component_rates = None;
         self.lets.clear();
     }
 

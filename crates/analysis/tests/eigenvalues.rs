@@ -389,6 +389,49 @@ fn the_criteria_of_projectiles_agree_with_their_modes() {
     assert!((100..400).contains(&stable) && slow > 20, "{stable} {slow}");
 }
 
+/// The shell with its axis along the first axis of the body, which its block states.
+#[test]
+fn the_criteria_are_those_of_the_stated_axis() {
+    let third = SHELL.replace("fixed in B;", "fixed in B; axis B.3; forward B.3;");
+    let first = third
+        .replace("diag(I_t, I_t, I_a)", "diag(I_a, I_t, I_t)")
+        .replace("B.3", "B.1")
+        .replace("i.3*i", "i.1*i")
+        .replace("r*B.1", "p*B.1")
+        .replace("r*d", "p*d");
+    let found = [(SHELL.to_owned(), 'r'), (third, 'r'), (first, 'p')].map(|(text, spin)| {
+        let model = model_spec::load::from_text("shell.hyz", &text, &[]).expect("a model");
+        let body = Body::new(model).expect("a body");
+        let bound = body.with_parameters(body.compiled.layout().default_parameters());
+        let layout = body.compiled.layout();
+        let mut state = vec![0.0; layout.states.len()];
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        let (scalar, second) = if spin == 'r' {
+            (half, half)
+        } else {
+            (1.0, 0.0)
+        };
+        let rate = if spin == 'r' { "r" } else { "p" };
+        for (name, value) in [("vx", 300.0), ("q0", scalar), ("q2", second), (rate, 900.0)] {
+            state[layout.state(name).expect(name).index()] = value;
+        }
+        at(&bound, 0.0, &state).expect("modes")
+    });
+    let [unstated, third, first] = found.map(|own| (own.derivatives, own.criteria));
+    for (derivatives, criteria) in [third, first] {
+        assert_eq!(derivatives.flight, FlightDirection::AlongAxis);
+        for (a, b) in [
+            (criteria.gyroscopic_factor, unstated.1.gyroscopic_factor),
+            (criteria.nutation, unstated.1.nutation),
+            (criteria.nutation_decay, unstated.1.nutation_decay),
+            (derivatives.pitching, unstated.0.pitching),
+        ] {
+            assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");
+        }
+        assert_eq!(criteria.is_stable(), unstated.1.is_stable());
+    }
+}
+
 #[test]
 fn a_constrained_body_is_refused() {
     let text = "model pendulum;

@@ -6,7 +6,8 @@ use identify::{
     FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, RigidMotion, Unknowns,
     eliminate, linearise, pseudo_inverse, state_for_motion,
 };
-use nalgebra::{DMatrix, DVector, Rotation3, UnitQuaternion};
+use model_spec::model::FlightAxes;
+use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, UnitQuaternion, Vector3};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 use serde::{Deserialize, Serialize};
@@ -97,7 +98,7 @@ fn simulated(
         problem.has_attitude,
         problem.body.layout().components(ANGULAR_VELOCITY),
     ) {
-        let spin = rigid_motion(throw, true).rates?;
+        let spin = rigid_motion(throw, true, FlightAxes::default()).rates?;
         for (component, value) in components.iter().zip(spin.iter()) {
             parameters[component.index()] = *value;
         }
@@ -111,7 +112,9 @@ fn simulated(
         stand_ins: Vec::new(),
         ..like.clone()
     };
-    let motion = rigid_motion(throw, problem.has_attitude);
+    let axes = problem.model.flight_axes();
+    let axes = axes.map_or_else(FlightAxes::default, |(_, axes)| axes);
+    let motion = rigid_motion(throw, problem.has_attitude, axes);
     let local = state_for_motion(problem, &observations, &motion).ok()?;
     let unknowns = (&at.global, &local);
     let loss = Loss::Whitened(noise);
@@ -258,14 +261,16 @@ fn draw(ranges: &ThrowRanges, random: &mut impl Rng) -> Throw {
 }
 
 /// Motion at release; a point mass has no attitude.
-fn rigid_motion(throw: &Throw, has_attitude: bool) -> RigidMotion {
+fn rigid_motion(throw: &Throw, has_attitude: bool, axes: FlightAxes) -> RigidMotion {
     let Motion {
         position,
         velocity,
         turning,
-    } = throw.motion([0.0; 2], has_attitude);
+    } = throw.motion([0.0; 2], has_attitude, axes.is_along());
+    let release = axes.release().map(|own| Vector3::from(own.vector()));
+    let release = Matrix3::from_columns(&release);
     let attitude = turning.as_ref().map(|turning| {
-        let rotation = Rotation3::from_matrix_unchecked(turning.axes);
+        let rotation = Rotation3::from_matrix_unchecked(turning.axes * release.transpose());
         UnitQuaternion::from_rotation_matrix(&rotation)
     });
     RigidMotion {
@@ -331,7 +336,7 @@ mod tests {
             let (nose, spin) = (throw.nose.unwrap().to_radians(), throw.spin.unwrap() * RPM);
             assert!(within(throw.speed, ranges.speed) && within(nose, ranges.nose));
             assert!(within(spin.abs(), ranges.spin), "{throw:?}");
-            let motion = rigid_motion(&throw, true);
+            let motion = rigid_motion(&throw, true, FlightAxes::default());
             let velocity = motion.velocity;
             assert!((velocity.norm() - throw.speed).abs() < 1e-9);
             assert!((velocity.z - throw.speed * throw.launch.to_radians().sin()).abs() < 1e-9);

@@ -1,7 +1,9 @@
 //! A compiled model bound to values of its parameters.
 
 use crate::inputs::{FlightParameters, InputsOverTime, RecordedInput};
-use crate::{CompiledModel, EvaluationPoint, ModelFunctions, ModelState, Workspace};
+use crate::{
+    BoundConstraints, CompiledModel, EvaluationPoint, ModelFunctions, ModelState, Workspace,
+};
 use ode::{Event, StateVector};
 
 /// Compiled model with a value for each parameter; created by [`CompiledModel::bind`].
@@ -12,13 +14,17 @@ pub struct BoundModel<'a> {
     prepared: Vec<f64>,
     /// Times at which the right-hand side is not smooth, s, increasing.
     pub(crate) time_breaks: Vec<f64>,
+    pub(crate) constraints: Option<BoundConstraints<'a>>,
 }
 
 impl CompiledModel {
     /// Binds the model to parameter values, in the order of its [`Layout`](codegen::Layout), and to inputs over time,
     /// and computes the invariants, which are values that depend on the constant parameters alone.
     pub fn bind(&self, parameters: impl Into<FlightParameters>) -> BoundModel<'_> {
-        let FlightParameters { constants, inputs } = parameters.into();
+        let parameters: FlightParameters = parameters.into();
+        let constraints = self.constraints.as_ref();
+        let constraints = constraints.map(|own| own.bind(parameters.constants.clone()));
+        let FlightParameters { constants, inputs } = parameters;
         let mut prepared = vec![0.0; self.functions.prepared_len()];
         self.functions.prepare(&constants, &mut prepared);
         let mut time_breaks = self.time_breaks.at(&constants);
@@ -27,6 +33,7 @@ impl CompiledModel {
         time_breaks.dedup();
         BoundModel {
             model: self,
+            constraints,
             time_breaks,
             inputs: inputs.with_parameters(&constants),
             parameters: constants,

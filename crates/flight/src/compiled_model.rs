@@ -1,5 +1,6 @@
 //! Model compiled for evaluation: generated code if its source hash matches the model, otherwise a tape.
 
+use crate::constraints::Constraints;
 use crate::functions::{ModelFunctions, SparsityPatterns};
 use crate::initial_conditions::Release;
 use crate::inputs::{FlightParameters, InputsOverTime};
@@ -10,6 +11,7 @@ use codegen::rust::source_hash;
 use codegen::tape_model::TapeModel;
 use model_spec::model::{Expr, ExprKind, Model, Observation, Shape};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// State vector of a model, in the order of the states in its [`Layout`].
 pub type ModelState = Box<[f64]>;
@@ -22,6 +24,7 @@ pub struct CompiledModel {
     pub(crate) functions: ModelFunctions,
     pub(crate) patterns: SparsityPatterns,
     pub(crate) time_breaks: TimeBreaks,
+    pub(crate) constraints: Option<Arc<Constraints>>,
 }
 
 impl CompiledModel {
@@ -128,6 +131,7 @@ impl CompiledModel {
         let layout = Layout::new(model);
         CompiledModel {
             time_breaks: TimeBreaks::of(model, &layout),
+            constraints: Constraints::of(model).map(Arc::new),
             layout,
             limits: limits.map(|l| (l.bound, l.reason.clone())).collect(),
             patterns: functions.patterns(),
@@ -155,6 +159,11 @@ impl CompiledModel {
     /// Layout of the model: names and indices of states, parameters and auxiliary variables.
     pub fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// Constraints on the states, which the steps of an integration are held to; `None` if the model has none.
+    pub fn constraints(&self) -> Option<&Arc<Constraints>> {
+        self.constraints.as_ref()
     }
 
     /// Indices of the states on which the observed position of a marker depends, in increasing order.

@@ -31,6 +31,7 @@
 mod bound_model;
 pub mod cancellation;
 mod compiled_model;
+mod constraints;
 pub mod files;
 mod functions;
 mod initial_conditions;
@@ -52,6 +53,7 @@ pub mod wind;
 
 pub use bound_model::BoundModel;
 pub use compiled_model::{CompiledModel, ModelState};
+pub use constraints::{BoundConstraints, Constraints};
 pub use functions::{EvaluationPoint, ModelFunctions, SparsityPatterns, Workspace};
 pub use inputs::{FlightParameters, InputInterpolation, InputSeries, InputsOverTime, read_inputs};
 pub use lane_model::LaneModel;

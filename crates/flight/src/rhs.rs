@@ -1,6 +1,6 @@
 //! Right-hand side of a bound model for the solver of the crate `ode`.
 
-use crate::{BoundModel, ModelState, Workspace};
+use crate::{BoundConstraints, BoundModel, ModelState, Workspace};
 use ode::{DifferentiableRhs, OdeRhs};
 use std::borrow::Cow;
 
@@ -10,6 +10,7 @@ pub struct ModelRhs<'a> {
     workspace: Workspace,
     /// Parameters at the time of an evaluation.
     parameters: Vec<f64>,
+    constraints: Option<BoundConstraints<'a>>,
 }
 
 impl BoundModel<'_> {
@@ -19,6 +20,7 @@ impl BoundModel<'_> {
             model: self,
             workspace: Workspace::default(),
             parameters: Vec::new(),
+            constraints: self.constraints.clone(),
         }
     }
 }
@@ -30,6 +32,10 @@ impl OdeRhs for ModelRhs<'_> {
         let functions = self.model.functions();
         let at = self.model.at(t, x, &mut self.parameters);
         functions.f(at, &mut self.workspace, dx);
+    }
+
+    fn project(&mut self, t: f64, x: &mut ModelState) -> bool {
+        DifferentiableRhs::project(self, t, x)
     }
 
     fn time_breaks(&self) -> &[f64] {
@@ -67,6 +73,11 @@ impl DifferentiableRhs for ModelRhs<'_> {
         self.model
             .functions()
             .f_jac_par(at, workspace, dx, jacobian, parameter_jacobian);
+    }
+
+    fn project(&mut self, t: f64, x: &mut [f64]) -> bool {
+        let constraints = self.constraints.as_mut();
+        constraints.is_some_and(|own| own.project(t, x, None))
     }
 
     fn time_breaks(&self) -> &[f64] {

@@ -245,6 +245,17 @@ pub enum FitError {
         /// Name of the model.
         model: String,
     },
+    /// A constraint of the model depends on a coefficient that is to be estimated, so that the initial states of the
+    /// flights would have to change with it.
+    #[error(
+        "found the coefficient {name} of the model {model} in a constraint; expected constraints of constants: declare it as `param`, or give its value with the dataset"
+    )]
+    Constraint {
+        /// Name of the model.
+        model: String,
+        /// Name of the coefficient.
+        name: String,
+    },
     /// A quantity that the dataset calls unknown, or measured with an error, cannot be estimated for each flight.
     #[error("what the dataset has of single flights does not fit the model {model}: {reason}")]
     Unknown {

@@ -124,8 +124,9 @@ impl Observations {
             channels,
             markers: problem.markers.len(),
             stand_ins,
+            manifold: StateManifold::new(&problem.model, &known_states)
+                .held_by(&problem.body, &parameters),
             parameters,
-            manifold: StateManifold::new(&problem.model, &known_states),
             inputs,
             known_states: known.states,
             state_priors: known.priors,
@@ -243,7 +244,8 @@ impl Observations {
         if !is_first {
             arc.known_states = Vec::new();
             arc.state_priors = Vec::new();
-            arc.manifold = StateManifold::new(&problem.model, &[]);
+            let free = StateManifold::new(&problem.model, &[]);
+            arc.manifold = free.held_by(&problem.body, &arc.parameters);
         }
         arc
     }

@@ -110,7 +110,7 @@ impl FitProblem {
     ///
     /// # Errors
     /// [`FitError::UnknownName`] for a name that the model does not have; [`FitError::NotEstimated`] for a prior or
-    /// profile of a fixed parameter; [`FitError::NoObservation`] without a measurement equation; [`FitError::Sensor`]
+    /// profile of a fixed parameter; [`FitError::Constraint`] for one in a constraint; [`FitError::NoObservation`] without a measurement equation; [`FitError::Sensor`]
     /// without one for a sensor; [`FitError::AttitudeNotObservable`] if the markers do not determine the attitude;
     /// [`FitError::Flight`] if the known values of a flight do not match.
     pub fn new(
@@ -176,6 +176,14 @@ impl FitProblem {
         }
         let (globals, fixed) =
             global_parameters::select(model, body.layout(), &mut parameters, options)?;
+        if let Some(constraints) = body.constraints() {
+            let indices = globals.iter().map(|global| global.param.index());
+            let mut held = indices.filter(|&index| constraints.depend_on(&parameters, index));
+            if let Some(index) = held.next() {
+                let (model, name) = (model.name.clone(), body.layout().parameters[index].clone());
+                return Err(FitError::Constraint { model, name });
+            }
+        }
         let problem = Self {
             model: Arc::new(model.clone()),
             body: Arc::new(body),

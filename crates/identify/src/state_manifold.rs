@@ -1,19 +1,25 @@
-//! The manifold of initial states: unit quaternions vary by three angles, and known states do not vary.
+//! The manifold of initial states: unit quaternions vary by three angles, known states do not vary, and constraints hold.
 
+use std::sync::Arc;
+
+use flight::{CompiledModel, Constraints};
 use model_spec::layout::StateId;
 use model_spec::model::Model;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use crate::ids::LocalId;
 
-/// Directions in which an initial state may vary: one per free state, and three per unit quaternion.
-#[derive(Clone, Debug, PartialEq)]
+/// Directions in which an initial state may vary: one per free state, and three per unit quaternion; of these, what
+/// keeps the constraints of the model to first order.
+#[derive(Clone, Debug)]
 pub struct StateManifold {
     /// States that vary and belong to no quaternion: the first directions of the manifold.
     direct: Vec<usize>,
     /// State indices of the four components of each unit quaternion that varies; each has three directions.
     quaternions: Vec<[usize; 4]>,
     states: usize,
+    /// Constraints of the model, and the parameters of the flight.
+    held: Option<(Arc<Constraints>, Vec<f64>)>,
 }
 
 impl StateManifold {
@@ -31,11 +37,30 @@ impl StateManifold {
             direct,
             quaternions: all.into_iter().filter(free).collect(),
             states: model.states.len(),
+            held: None,
         }
+    }
+
+    /// The part of the manifold on which the constraints of `body`, the same model compiled, hold with `parameters`.
+    pub fn held_by(mut self, body: &CompiledModel, parameters: &[f64]) -> Self {
+        let constraints = body.constraints().cloned();
+        self.held = constraints.map(|own| (own, parameters.to_vec()));
+        self
+    }
+
+    /// Whether constraints hold on the manifold.
+    pub fn is_held(&self) -> bool {
+        self.held.is_some()
     }
 
     /// Number of directions in which the state may vary.
     pub fn dimension(&self) -> usize {
+        let held = self.held.as_ref().map_or(0, |(own, _)| own.count());
+        self.free().saturating_sub(held)
+    }
+
+    /// Number of directions without constraints.
+    fn free(&self) -> usize {
         self.direct.len() + 3 * self.quaternions.len()
     }
 
@@ -45,8 +70,48 @@ impl StateManifold {
     }
 
     /// Entries (state, direction, value) of the derivative of the state by its directions, at `state`. Those of a
-    /// quaternion are a small rotation vector, rad, in the axes of the frame that it orients.
+    /// quaternion are a small rotation vector, rad, in the axes of the frame that it orients. With constraints, the
+    /// directions are orthonormal in these.
     pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
+        let Some(kept) = self.kept(state) else {
+            return self.free_tangent(state);
+        };
+        let entries =
+            (0..kept.ncols()).flat_map(|column| (0..kept.nrows()).map(move |row| (row, column)));
+        entries
+            .map(|(row, column)| (row, column, kept[(row, column)]))
+            .filter(|entry| entry.2 != 0.0)
+            .collect()
+    }
+
+    /// Derivative of the state by the directions that keep the constraints; `None` without constraints.
+    fn kept(&self, state: &[f64]) -> Option<DMatrix<f64>> {
+        let (constraints, parameters) = self.held.as_ref()?;
+        let (_, by_state) = constraints.bind(parameters.clone()).deviations(0.0, state);
+        let free = self.free_matrix(state);
+        let along = by_state * &free;
+        let system = along.tr_mul(&along).symmetric_eigen();
+        let mut order: Vec<usize> = (0..self.free()).collect();
+        order.sort_by(|&a, &b| system.eigenvalues[a].total_cmp(&system.eigenvalues[b]));
+        let columns = order.iter().take(self.dimension());
+        let columns: Vec<_> = columns.map(|&k| system.eigenvectors.column(k)).collect();
+        Some(match columns.is_empty() {
+            true => DMatrix::zeros(self.states, 0),
+            false => free * DMatrix::from_columns(&columns),
+        })
+    }
+
+    /// Derivative of the state by the directions without constraints, as a matrix.
+    fn free_matrix(&self, state: &[f64]) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.states, self.free());
+        for (row, direction, value) in self.free_tangent(state) {
+            matrix[(row, direction)] = value;
+        }
+        matrix
+    }
+
+    /// As [`tangent`](Self::tangent), without constraints.
+    fn free_tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
         let direct = self.direct.iter().enumerate();
         direct
             .map(|(direction, &state)| (state, direction, 1.0))
@@ -73,22 +138,42 @@ impl StateManifold {
         })
     }
 
-    /// State that varies along `direction`; `None` if it belongs to a quaternion.
+    /// State that varies along `direction`; `None` if it belongs to a quaternion, or constraints couple the states.
     pub fn direct_state(&self, direction: LocalId) -> Option<StateId> {
+        if self.is_held() {
+            return None;
+        }
         let state = self.direct.get(direction.index())?;
         Some(StateId::new(*state))
     }
 
     /// The state after a step along the directions: changes of free states, SI, then a rotation vector for each
-    /// quaternion, rad, which is changed to first order and normalised.
+    /// quaternion, rad, which is changed to first order and normalised. With constraints, the nearest state at which they
+    /// hold.
     pub fn plus(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         let mut moved = state.clone();
+        if let (Some(kept), Some((constraints, parameters))) =
+            (self.kept(state.as_slice()), &self.held)
+        {
+            moved += kept * step;
+            self.normalise(&mut moved);
+            let directions = self.free_matrix(moved.as_slice());
+            let mut bound = constraints.bind(parameters.clone());
+            bound.project(0.0, moved.as_mut_slice(), Some(&directions));
+            self.normalise(&mut moved);
+            return moved;
+        }
         for (&row, step) in self.direct.iter().zip(step.iter()) {
             moved[row] += step;
         }
         for (row, direction, value) in self.quaternion_tangent(state.as_slice()) {
             moved[row] += value * step[direction];
         }
+        self.normalise(&mut moved);
+        moved
+    }
+
+    fn normalise(&self, moved: &mut DVector<f64>) {
         for components in &self.quaternions {
             let squares = components.map(|component| moved[component].powi(2));
             let length = squares.iter().sum::<f64>().sqrt();
@@ -96,7 +181,6 @@ impl StateManifold {
                 moved[component] /= length;
             }
         }
-        moved
     }
 }
 

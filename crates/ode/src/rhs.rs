@@ -19,6 +19,14 @@ pub trait OdeRhs {
     /// [`NonFiniteDerivative`](crate::IntegrationFailure::NonFiniteDerivative).
     fn derivative(&mut self, t: f64, x: &Self::State, dx: &mut Self::State);
 
+    /// Moves the state at the end of a step, at time `t`, to where what the equations keep holds, such as a constraint
+    /// from which the steps drift; returns whether it has moved. By default it moves nothing.
+    ///
+    /// The shift must be of the size of the error of a step: dense output does not have it.
+    fn project(&mut self, _t: f64, _x: &mut Self::State) -> bool {
+        false
+    }
+
     /// Number of leading state components in the error norm of the step-size control; all by default.
     fn error_controlled_len(&self) -> usize {
         usize::MAX

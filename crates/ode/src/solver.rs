@@ -138,6 +138,9 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
             }
             self.stepper.advance();
             self.t = end.t;
+            if self.rhs.project(end.t, self.stepper.start_mut().0) && !end.is_last {
+                self.begin_step();
+            }
             if end.is_last {
                 self.scratch.clone_from(&self.stepper.x);
                 return Ok(self.endpoint(end.t, None));
@@ -153,7 +156,13 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
     fn begin_segment(&mut self) {
         let breaks = self.rhs.time_breaks();
         self.segment_end = segment_end(breaks, self.t, self.t_end);
-        let start = just_after(breaks, self.t);
+        self.begin_step();
+    }
+
+    /// Computes the derivative at the start of the next step.
+    #[cold]
+    fn begin_step(&mut self) {
+        let start = just_after(self.rhs.time_breaks(), self.t);
         let (x, dx) = self.stepper.start_mut();
         self.rhs.derivative(start, x, dx);
         self.stats.evaluations += 1;

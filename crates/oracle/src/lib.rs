@@ -25,6 +25,7 @@ mod claimed_rates;
 mod dynamics;
 mod error;
 mod frames;
+mod newton_euler;
 mod physical;
 mod point;
 mod reference;

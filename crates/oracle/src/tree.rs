@@ -3,14 +3,15 @@
 //! Every vector is converted to inertial components as soon as it is evaluated. Expressing it in another frame then has
 //! no effect, and a component is a scalar product with an axis.
 
+mod body;
+
 use crate::frames::{PlacedFrame, place_frames};
-use crate::physical::{angular_acceleration, inertia_in_n};
 use crate::point::Point;
 use crate::scalar::{Dual, Field, Infinitesimals, Interpolant, Real, Surface, call};
 use crate::system::{Solved, eliminate};
 use model_spec::layout::depends_on_accelerations;
-use model_spec::model::{Body, Expr, ExprKind, Function, Load, Model, Rotation, Shape, Table};
-use nalgebra::{Matrix3, Vector3};
+use model_spec::model::{Expr, ExprKind, Function, Load, Model, Shape, Table};
+use nalgebra::Vector3;
 
 /// Value of an expression: scalar or vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +76,13 @@ impl<'a, T: Real> Tree<'a, T> {
             determinacies,
             ..tree
         }
+    }
+
+    /// Evaluates a model at a point, but for what depends on unknowns of its systems, which are not solved for.
+    pub fn without_unknowns(model: &'a Model, point: &'a Point<T>) -> Self {
+        let systems = model.systems.iter();
+        let zeros = systems.map(|own| vec![T::zero(); own.unknowns.len()]);
+        Self::evaluated(model, point, &[], zeros.collect())
     }
 
     /// Evaluates a model at a point for unknowns of its systems; they need not fulfil their equations.
@@ -149,28 +157,6 @@ impl<'a, T: Real> Tree<'a, T> {
         tree.value(of).map(part)
     }
 
-    /// Sum of the forces on the model's body except the weight, divided by its mass, m/s², in inertial components.
-    fn specific_force(&self) -> Vector3<T> {
-        let felt = self.model.forces.iter().filter(|load| !load.is_weight());
-        let force = felt.fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value));
-        force / self.scalar(&self.body().mass)
-    }
-
-    /// Angular acceleration of the model's body, rad/s², in inertial components.
-    fn angular_acceleration(&self) -> Vector3<T> {
-        let rotation = self.rotation();
-        let frame = &self.frames[rotation.inertia_frame];
-        let inertia = Matrix3::from_fn(|row, column| self.scalar(&rotation.inertia[row][column]));
-        angular_acceleration(
-            &inertia_in_n(&frame.axes, &inertia),
-            &frame
-                .angular_velocity
-                .expect("an inertia frame with angular velocity"),
-            &self.angular_velocity(),
-            &self.total(&self.model.moments),
-        )
-    }
-
     /// Evaluates a scalar expression of the model at the point.
     pub fn scalar(&self, e: &Expr) -> T {
         match self.value(e) {
@@ -227,6 +213,7 @@ impl<'a, T: Real> Tree<'a, T> {
                     }
                 })
             }
+            K::BodyRate(state, loads) => Scalar(self.body_rate(*state, loads.is_empty())),
             K::Partial(of, state) => {
                 self.differentiated(of, |point, epsilon| point.states[*state] += epsilon)
             }
@@ -353,25 +340,6 @@ impl<'a, T: Real> Tree<'a, T> {
                 Scalar(if a.re() > b.re() { a } else { b })
             }
         }
-    }
-
-    fn states(&self, indices: [usize; 3]) -> Vector3<T> {
-        Vector3::from(indices.map(|i| self.point.states[i]))
-    }
-
-    fn angular_velocity(&self) -> Vector3<T> {
-        self.frames[self.rotation().body_frame]
-            .angular_velocity
-            .expect("a body frame with angular velocity")
-    }
-
-    fn rotation(&self) -> &'a Rotation {
-        let rotation = self.body().rotation.as_ref();
-        rotation.expect("a body with attitude, by the checker")
-    }
-
-    fn body(&self) -> &'a Body {
-        self.model.body.as_ref().expect("a body, by the checker")
     }
 }
 

@@ -19,14 +19,38 @@ pub(crate) fn project(model: &Model, point: &mut Point<f64>) {
     }
     for _ in 0..MAX_STEPS {
         let (deviations, by_states) = linearized(model, &constraints, point);
+        // Along the sphere of each quaternion, whose length the constraints may depend on.
+        let mut by_states = by_states;
+        for quaternion in model.quaternions() {
+            across(&mut by_states, quaternion, &point.states);
+        }
         let step = by_states.svd(true, true).solve(&deviations, 1e-12);
         let Ok(step) = step else { return };
         let size = DVector::from_column_slice(&point.states).norm();
         for (state, change) in point.states.iter_mut().zip(&step) {
             *state -= change;
         }
+        for quaternion in model.quaternions() {
+            let squares = quaternion.map(|state| point.states[state].powi(2));
+            let length = squares.iter().sum::<f64>().sqrt();
+            for state in quaternion {
+                point.states[state] /= length;
+            }
+        }
         if step.norm() <= SMALL * size {
             return;
+        }
+    }
+}
+
+/// Takes from derivatives by the states the part along a quaternion.
+fn across(by_states: &mut DMatrix<f64>, quaternion: [usize; 4], states: &[f64]) {
+    let own = quaternion.map(|state| states[state]);
+    let square: f64 = own.iter().map(|q| q * q).sum();
+    for mut row in by_states.row_iter_mut() {
+        let along: f64 = quaternion.iter().zip(own).map(|(&k, q)| row[k] * q).sum();
+        for (&k, q) in quaternion.iter().zip(&own) {
+            row[k] -= along / square * q;
         }
     }
 }
@@ -42,7 +66,7 @@ fn linearized(
     for state in 0..point.states.len() {
         let mut moving = point.map(Dual::constant);
         moving.states[state].derivative = 1.0;
-        let tree = Tree::new(model, &moving);
+        let tree = Tree::without_unknowns(model, &moving);
         for (row, constraint) in constraints.iter().enumerate() {
             let value = tree.scalar(constraint);
             deviations[row] = value.value;

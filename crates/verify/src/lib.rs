@@ -68,6 +68,10 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
         return report;
     };
     report.model.clone_from(&model.name);
+    if let Some(fault) = checks::determined::fault(model, options) {
+        report.rows.push(fault);
+        return report;
+    }
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);
     let subject = Subject::new(model, &engine);

@@ -5,7 +5,7 @@ use crate::random::Random;
 use model_spec::model::{Model, Parameter, ValidityLimit};
 use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
-use oracle::{Point, Tree};
+use oracle::{Chart, Point, Tree};
 
 /// Maximum number of draws of a point within the validity limits.
 const MAX_DRAWS: usize = 1000;
@@ -13,6 +13,8 @@ const MAX_DRAWS: usize = 1000;
 const FEW_DRAWS: usize = 30;
 /// Maximum number of changes of single states that are tried to move a point within the validity limits.
 const MAX_MOVES: usize = 2000;
+/// Maximum number of changes one after another that bring the point no closer.
+const MAX_VAIN: usize = 300;
 /// Number of halvings of the distance between the default point and a point outside the limits, plus 1.
 const HALVINGS: i32 = 20;
 
@@ -58,10 +60,12 @@ pub fn moved_within_limits(
 fn moved(model: &Model, point: &Point<f64>, part: f64, random: &mut Random) -> Option<Point<f64>> {
     let mut best = point.clone();
     let mut outside = shortfall(model, &best, part);
+    let mut vain = 0;
     for _ in 0..MAX_MOVES {
-        if outside == 0.0 || best.states.is_empty() {
+        if outside == 0.0 || best.states.is_empty() || vain == MAX_VAIN {
             break;
         }
+        vain += 1;
         let mut next = best.clone();
         let state = (random.next() % best.states.len() as u64) as usize;
         let size = typical(model.states[state].unit) * 10f64.powf(random.between(-3.0, 4.0));
@@ -69,7 +73,7 @@ fn moved(model: &Model, point: &Point<f64>, part: f64, random: &mut Random) -> O
         normalize(model, &mut next);
         let next_outside = shortfall(model, &next, part);
         if next_outside < outside {
-            (best, outside) = (next, next_outside);
+            (best, outside, vain) = (next, next_outside, 0);
         }
     }
     if outside > 0.0 {
@@ -156,7 +160,8 @@ fn margins<'a>(model: &'a Model, point: &Point<f64>) -> Vec<(&'a ValidityLimit, 
     model.limits_of_validity().map(margin).collect()
 }
 
-fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
+/// Draws a point without regard to the validity limits; the constraints of the model hold.
+pub(crate) fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
     let (params, coefficients) = (model.params.iter(), model.coefficients.iter());
     let inputs = model.inputs.iter();
     let mut point = Point {
@@ -170,7 +175,38 @@ fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
         marker: Vector3::from_fn(|_, _| random.within(0.1)),
     };
     normalize(model, &mut point);
+    if random_flight(model, random) {
+        ahead(model, &mut point, random);
+    }
     point
+}
+
+/// Whether a point is to be one of a typical flight: every second one, if the model states which axis of the body points
+/// ahead.
+fn random_flight(model: &Model, random: &mut Random) -> bool {
+    let axes = model.flight_axes();
+    axes.is_some_and(|(_, axes)| axes.states_forward) && random.once_in(2)
+}
+
+/// Turns the velocity of the declared body to near the axis that points ahead: by 0.01 to 0.5 rad.
+fn ahead(model: &Model, point: &mut Point<f64>, random: &mut Random) {
+    let Some((chart, (_, axes))) = Chart::declared(model).zip(model.flight_axes()) else {
+        return;
+    };
+    let mut physical = chart.physical(&point.states);
+    let forward = Vector3::from(axes.forward.vector());
+    let off = Vector3::from_fn(|_, _| random.within(1.0)).cross(&forward);
+    let size = 0.5 * 10f64.powf(-random.between(0.0, 1.7));
+    let along = forward + off * (size / off.norm().max(1e-3));
+    let along = physical.attitude.matrix() * along;
+    physical.velocity = along * (physical.velocity.norm() / along.norm());
+    let Some(states) = chart.states(&physical) else {
+        return;
+    };
+    for state in model.body.iter().flat_map(|body| body.velocity) {
+        point.states[state] = states[state];
+    }
+    normalize(model, point);
 }
 
 /// Scales the attitude quaternions of a point to norm 1, and moves it to where the constraints of the model hold.

@@ -3,10 +3,50 @@
 use super::Checker;
 use super::body::Parts;
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{Expr, ExprKind, FrameKind};
+use crate::model::{BodyAxis, Expr, ExprKind, FlightAxes, FrameKind};
 use crate::syntax::ast;
 
 impl Checker<'_> {
+    /// Axes in flight of a body in which a frame is fixed, by what its block states; `None`, with an error reported, if
+    /// they are not axes of that frame.
+    pub fn flight_axes(
+        &mut self,
+        frame: usize,
+        spin: Option<&ast::Expr>,
+        forward: Option<&ast::Expr>,
+    ) -> Option<FlightAxes> {
+        let mut stated = |e: Option<&ast::Expr>, word: &str| match e {
+            Some(e) => self.body_axis(frame, e, word).map(Some),
+            None => Some(None),
+        };
+        let (spin, forward) = (stated(spin, "axis"), stated(forward, "forward"));
+        Some(FlightAxes::new(spin?, forward?))
+    }
+
+    /// The axis of `frame` that `word` states, such as `C.1` or `-C.3`.
+    fn body_axis(&mut self, frame: usize, e: &ast::Expr, word: &str) -> Option<BodyAxis> {
+        let (typed, _) = self.vector(e, &format!("`{word}`"))?;
+        let (stated, is_opposite) = match &typed.expr.kind {
+            ExprKind::Neg(inner) => (&inner.kind, true),
+            kind => (kind, false),
+        };
+        match *stated {
+            ExprKind::Axis(own, number) if own == frame => Some(BodyAxis {
+                number,
+                is_opposite,
+            }),
+            _ => {
+                let name = self.model.frames[frame].name.clone();
+                let message = format!(
+                    "`{word}` is an axis of the frame {name}, which moves with the body, but this is `{}`",
+                    self.text(e.span)
+                );
+                let fault = Diagnostic::new(Kind::Frame, e.span, message);
+                self.refuse(fault.help(format!("write `{word} {name}.1;`, or `-{name}.1`")))
+            }
+        }
+    }
+
     /// Checks the entries of the inertia tensor (constant, kg m², symmetric) and stores them in the model.
     pub fn inertia(&mut self, inertia: &ast::Inertia, span: Span) {
         let Some(matrix) = self.inertia_entries(inertia, span) else {

@@ -3,7 +3,7 @@
 use super::elaborate::node;
 use super::{Checker, Typed};
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{self, Expr, ExprKind, Shape};
+use crate::model::{self, Expr, ExprKind, FlightAxes, Shape};
 use crate::syntax::ast::{self, BodyClass, BodyPartKind, Name};
 use crate::unit::Unit;
 
@@ -17,6 +17,8 @@ pub(super) struct Parts<'a> {
     velocity: Option<(&'a [Name; 3], &'a Name)>,
     pub angular: Option<(&'a [Name; 3], &'a Name)>,
     angular_velocity_frame: Option<&'a Name>,
+    axis: Option<&'a ast::Expr>,
+    forward: Option<&'a ast::Expr>,
 }
 
 impl<'a> Checker<'a> {
@@ -91,6 +93,7 @@ impl<'a> Checker<'a> {
                 inertia_frame,
                 inertia: std::array::from_fn(|_| std::array::from_fn(|_| zero(body.name.span))),
                 angular_velocity: angular.zip(angular_frame),
+                axes: FlightAxes::default(),
             })
         } else {
             let moving = |f: &&&ast::Frame| {
@@ -150,6 +153,8 @@ impl<'a> Checker<'a> {
                 continue;
             }
             match (word, &part.kind) {
+                ("axis", BodyPartKind::Value(axis)) => parts.axis = Some(axis),
+                ("forward", BodyPartKind::Value(axis)) => parts.forward = Some(axis),
                 (_, BodyPartKind::Value(mass)) => parts.mass = Some(mass),
                 (_, BodyPartKind::Inertia(own)) => parts.inertia = Some((own, part.span)),
                 ("fixed in", BodyPartKind::Frame(frame)) => parts.fixed = Some(frame),
@@ -208,6 +213,13 @@ impl<'a> Checker<'a> {
             return;
         }
         self.attitude(body, &parts);
+        let rotation = { self.model.body.as_ref() }.and_then(|own| own.rotation.as_ref());
+        if let Some(frame) = rotation.map(|own| own.body_frame) {
+            let axes = self.flight_axes(frame, parts.axis, parts.forward);
+            if let Some(own) = self.model.body.as_mut().and_then(|b| b.rotation.as_mut()) {
+                own.axes = axes.unwrap_or_default();
+            }
+        }
         if let Some((inertia, span)) = parts.inertia {
             self.inertia(inertia, span);
         }
@@ -264,6 +276,7 @@ impl<'a> Checker<'a> {
             | ExprKind::AngularVelocity
             | ExprKind::SpecificForce
             | ExprKind::AngularAcceleration
+            | ExprKind::BodyRate(..)
             | ExprKind::Marker => Some(e.span),
             ExprKind::Param(i) => self.model.params[*i].varies.then_some(e.span),
             ExprKind::AuxVariable(i) => self.varies[*i].then_some(e.span),

@@ -62,13 +62,6 @@ impl<'a> Checker<'a> {
             ("moment …;", rigid && !has("moment")),
         ];
         self.lacking("the claim of", "the claim", &claim.name, &needed);
-        if has("fixed in") && has("axis") {
-            let message = "a claim says which frame is fixed in the body, or which is its axis";
-            let place = seen.iter().find(|s| s.0 == "axis");
-            let place = place.map_or(claim.name.span, |s| s.1);
-            let fault = Diagnostic::new(Kind::Duplicate, place, message);
-            self.report(fault.help("`axis` is for bodies in which no frame is fixed: keep one"));
-        }
         self.diagnostics.len() == before
     }
 
@@ -142,8 +135,25 @@ impl<'a> Checker<'a> {
                 let inertia = self.claimed_inertia(part("inertia")?);
                 let attitude = part("fixed in").or(part("axis"))?;
                 let (inertia_frame, inertia) = inertia?;
+                let attitude = self.claimed_attitude(attitude, inertia_frame, &inertia)?;
+                let [spin, forward] = ["axis", "forward"]
+                    .map(|word| part(word).and_then(|own| own.expressions().first().copied()));
+                let (ClaimedAttitude::Frame(frame) | ClaimedAttitude::Axis(frame, _)) = attitude;
+                let axes = self.flight_axes(frame, spin, forward)?;
+                if let (ClaimedAttitude::Axis(..), true) = (attitude, axes.states_forward)
+                    && !axes.is_along()
+                {
+                    let span = part("forward")?.span;
+                    let message =
+                        "no frame is fixed in this body, so that only its axis can point ahead";
+                    let fault = Diagnostic::new(Kind::Frame, span, message);
+                    return self.refuse(fault.help(
+                        "state the frame that is `fixed in` the body, or leave out `forward`",
+                    ));
+                }
                 Some(ClaimedRotation {
-                    attitude: self.claimed_attitude(attitude, inertia_frame, &inertia)?,
+                    attitude,
+                    axes,
                     inertia_frame,
                     inertia,
                     angular_velocity: omega?,

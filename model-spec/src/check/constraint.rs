@@ -48,7 +48,7 @@ impl<'a> Checker<'a> {
                     format!("neither `{text}` nor its derivatives have unknowns of this block");
                 return self.refuse(Diagnostic::new(Kind::Value, span, message));
             }
-            let next = self.rate_of(orders.last()?.clone(), span)?;
+            let next = self.rate_along(orders.last()?.clone(), span, true)?;
             orders.push(next);
         }
         let number = |value: f64, exact, unit: Option<Unit>| {
@@ -109,7 +109,7 @@ impl<'a> Checker<'a> {
             };
             let span = own.quantity.span;
             let expr = quantity.expr.clone();
-            let Some(rate) = self.rate_of(quantity, span) else {
+            let Some(rate) = self.rate_along(quantity, span, true) else {
                 continue;
             };
             let sides = [rate, change];

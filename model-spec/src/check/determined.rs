@@ -174,6 +174,7 @@ impl Degrees {
             K::Neg(a) | K::Component(a, _) | K::Reexpress(a) => self.of(a),
             // What is differentiated depends on no unknown.
             K::Rate(_, _, rates) => self.greatest(rates),
+            K::BodyRate(_, loads) => self.greatest(loads),
             K::Components(parts) => self.greatest(&parts[..]),
             _ => {
                 let mut found = Ok(0);

@@ -142,6 +142,7 @@ impl Tables {
                 .find(|p| !bare_zero(p))
                 .map_or(Unit::ONE, |p| p.unit),
             K::Rate(a, ..) => a.unit.checked_div(Unit::SECOND).unwrap_or_default(),
+            K::BodyRate(i, _) => { self.states[*i].checked_div(Unit::SECOND) }.unwrap_or_default(),
             K::Partial(a, i) => a.unit.checked_div(self.states[*i]).unwrap_or_default(),
             K::Neg(a) | K::Norm(a) | K::Component(a, _) | K::Reexpress(a) => a.unit,
             K::Add(a, b) | K::Sub(a, b) | K::Min(a, b) | K::Max(a, b) => either(a, b),

@@ -5,6 +5,7 @@
 
 mod attitude;
 mod body;
+mod body_rates;
 mod call;
 mod cases;
 mod claim;

@@ -158,7 +158,7 @@ impl Checker<'_> {
     }
 
     /// States that orient a frame against the inertial one.
-    fn states_of_attitude(&self, frame: usize) -> Vec<usize> {
+    pub fn states_of_attitude(&self, frame: usize) -> Vec<usize> {
         let chain = self.chain(frame).into_iter();
         chain
             .flat_map(|frame| match self.model.frames[frame].kind {
@@ -227,10 +227,19 @@ impl Checker<'_> {
     }
 
     pub fn rate_of(&mut self, of: Typed, span: Span) -> Option<Typed> {
+        self.rate_along(of, span, false)
+    }
+
+    /// As [`rate_of`](Self::rate_of); `with_body`, what is differentiated may depend on the motion of the body.
+    pub fn rate_along(&mut self, of: Typed, span: Span, with_body: bool) -> Option<Typed> {
         let found = self.differentiable(&of.expr, span)?;
         let mut rates = Vec::new();
         let states: Vec<usize> = found.iter().collect();
         for &state in &states {
+            if state < self.of_body && with_body {
+                rates.push(self.body_rate(state, span));
+                continue;
+            }
             if state < self.of_body {
                 let message = format!(
                     "`{}` changes with `{}`, whose derivative follows from the forces",
@@ -338,12 +347,18 @@ impl Dependence {
                 let name = &model.systems[*system].unknowns[*k].name;
                 self.obstacle = Some(format!("the unknown `{name}`"));
             }
-            ExprKind::Position
-            | ExprKind::Velocity
-            | ExprKind::AngularVelocity
-            | ExprKind::SpecificForce
-            | ExprKind::AngularAcceleration => {
-                self.obstacle = Some("the motion of the body".to_owned());
+            ExprKind::Position | ExprKind::Velocity | ExprKind::AngularVelocity => {
+                for state in checker.states_of_motion(&e.kind) {
+                    self.states.insert(state);
+                }
+            }
+            ExprKind::BodyRate(state, loads) if loads.is_empty() => {
+                for state in checker.states_of_body_rate(*state) {
+                    self.states.insert(state);
+                }
+            }
+            ExprKind::SpecificForce | ExprKind::AngularAcceleration | ExprKind::BodyRate(..) => {
+                self.obstacle = Some("the forces on the body".to_owned());
             }
             ExprKind::AuxVariable(i) => {
                 let Some(own) = checker.dependences.get(*i) else {

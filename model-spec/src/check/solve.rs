@@ -268,11 +268,41 @@ impl<'a> Checker<'a> {
                     }
                 })
                 .collect();
+            if self.holds_unknowns_of_others(system, &equations) {
+                continue;
+            }
             if equations.iter().all(Option::is_some) && system < self.model.systems.len() {
                 self.model.systems[system].equations = equations.into_iter().flatten().collect();
                 self.determined(system);
             }
         }
+    }
+
+    /// Whether equations of a block have unknowns of one that is solved after it, as where two blocks hold one body;
+    /// reports it.
+    fn holds_unknowns_of_others(&mut self, system: usize, equations: &[Option<Expr>]) -> bool {
+        // Without a body, the order of the blocks has told.
+        let others = self
+            .declared_body
+            .map_or(0..0, |_| system + 1..self.model.systems.len());
+        for other in others {
+            let known = self.unknowns_of_variables(other);
+            let mut found = equations.iter().flatten();
+            let Some(found) = found.find_map(|e| occurring(e, other, &known).first().copied())
+            else {
+                continue;
+            };
+            let [own, later] = [system, other].map(|index| &self.model.systems[index]);
+            let message = format!(
+                "the equations of {} have `{}`, which {} determines",
+                own.title, later.unknowns[found].name, later.title
+            );
+            let fault = Diagnostic::new(Kind::Cycle, own.span, message);
+            let fault = fault.label(later.span, "acts on the body that this block holds");
+            self.report(fault.help("put the equations of both into one block"));
+            return true;
+        }
+        false
     }
 
     /// Left-hand side minus right-hand side of an equation.

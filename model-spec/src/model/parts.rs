@@ -1,6 +1,6 @@
 //! Parts of a model: claimed body, applied effects, tables and functions.
 
-use super::Expr;
+use super::{Expr, FlightAxes};
 use crate::fingerprint;
 pub use crate::syntax::ast::{Continuation, Interpolation};
 use crate::unit::Unit;
@@ -35,6 +35,8 @@ pub struct ClaimedRotation {
     pub angular_velocity: Expr,
     /// Sum of all moments about the centre of mass, a vector in any frame, N m.
     pub moment: Expr,
+    /// Axis of the spin and axis that points ahead, in the frame of [`ClaimedRotation::attitude`].
+    pub axes: FlightAxes,
 }
 
 /// How a [`Claim`] specifies the orientation of the body: by a body-fixed frame, or by the axis of revolution alone.

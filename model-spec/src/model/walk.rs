@@ -34,6 +34,7 @@ macro_rules! visit_children {
             | K::Reexpress(a)
             | K::Partial(a, _)
             | K::Call(_, a) => $visit(a),
+            K::BodyRate(_, loads) => loads.$iter().for_each($visit),
             K::Rate(a, _, rates) => {
                 $visit(a);
                 rates.$iter().for_each($visit);

@@ -34,6 +34,10 @@ pub enum SymbolKind {
     Marker,
     Observation,
     Effect,
+    /// Block of equations `solve { … }`.
+    Solve,
+    /// What a block of equations determines.
+    Unknown,
 }
 
 impl SymbolKind {
@@ -58,6 +62,8 @@ impl SymbolKind {
             SymbolKind::Marker => "marker",
             SymbolKind::Observation => "observation",
             SymbolKind::Effect => "effect",
+            SymbolKind::Solve => "block of equations",
+            SymbolKind::Unknown => "unknown",
         }
     }
 }

@@ -45,6 +45,8 @@ pub(super) struct Scanner<'a> {
     scope: usize,
     /// Index of the token that ends the statement.
     end: usize,
+    /// First word of the statement.
+    begins: &'a str,
     pub doc: String,
 }
 
@@ -63,6 +65,7 @@ pub(super) fn scan(text: &str) -> Scanned<'_> {
         blocks: Vec::new(),
         scope: 0,
         end: 0,
+        begins: "",
         doc: String::new(),
     };
     scanner.file();
@@ -110,8 +113,14 @@ impl<'a> Scanner<'a> {
             SymbolKind::Effect => "effect",
             SymbolKind::Function => "function",
             SymbolKind::Body => "body",
+            SymbolKind::Solve => "solve",
             _ => "",
         });
+        // A block of equations may have no name.
+        let word = match word.is_empty() && self.begins == "solve" {
+            true => "solve",
+            false => word,
+        };
         self.blocks.push(Block {
             word: word.to_owned(),
             declarations: first..self.scanned.declarations.len(),
@@ -210,9 +219,11 @@ impl<'a> Scanner<'a> {
             SymbolKind::Table | SymbolKind::Function => Namespace::Callable,
             SymbolKind::Force => Namespace::Force,
             SymbolKind::Moment => Namespace::Moment,
-            SymbolKind::Model | SymbolKind::Body | SymbolKind::Observation | SymbolKind::Effect => {
-                Namespace::Other
-            }
+            SymbolKind::Model
+            | SymbolKind::Body
+            | SymbolKind::Observation
+            | SymbolKind::Effect
+            | SymbolKind::Solve => Namespace::Other,
             _ => Namespace::Value,
         };
         let range = self.range(at);
@@ -238,6 +249,10 @@ impl<'a> Scanner<'a> {
         }
         let first = self.scanned.declarations.len();
         let word = self.text(at);
+        self.begins = word;
+        if self.is_in("solve") && !self.is_solve_word(at) {
+            return self.expression(tokens, false);
+        }
         self.keyword(at);
         let quantity = matches!(
             word,
@@ -260,6 +275,10 @@ impl<'a> Scanner<'a> {
                 };
                 self.named(at + 1, end, kind, false);
             }
+            "solve" => self.declare(at + 1, SymbolKind::Solve),
+            "unknown" if self.is_in("solve") => {
+                self.named(at + 1, end, SymbolKind::Unknown, false);
+            }
             "frame" => self.frame(at + 1, end),
             "body" | "point" => self.named(at + 1, end, SymbolKind::Body, false),
             "claim" => {
@@ -279,6 +298,18 @@ impl<'a> Scanner<'a> {
         }
         for own in &mut self.scanned.declarations[first..] {
             own.statement.start = self.tokens[at].start as usize;
+        }
+    }
+
+    /// Whether a word in a block of equations begins a declaration or a constraint, and no equation.
+    fn is_solve_word(&self, at: usize) -> bool {
+        match self.text(at) {
+            "unknown" => self.token(at + 1) == Token::Name,
+            "constraint" => !matches!(
+                self.text(at + 1),
+                "*" | "/" | "+" | "-" | "^" | "=" | "·" | "×" | "." | "["
+            ),
+            _ => false,
         }
     }
 

@@ -34,6 +34,14 @@ fn words_are_what_they_are() {
             "+k=coefficient rad=unit +a=quantity k=coefficient",
         ),
         (
+            "state v = 1 m/s; solve rod { unknown T: N; m*der(v) = T; constraint v*T = 1 within 1 mm; T = 2; } let a = T;",
+            "+v=state m=unit s=unit +rod=block of equations +T=unknown N=unit ?m v=state T=unknown v=state T=unknown mm=unit T=unknown +a=quantity T=unknown",
+        ),
+        (
+            "solve { constraint = 2*T; unknown R: vector N in B; } frame B;",
+            "?constraint ?T +R=unknown N=unit B=frame +B=frame",
+        ),
+        (
             "frame N; frame B = N turned φ about 1; let a = in_B(N.3)*φ̇;",
             "+N=frame +B=frame N=frame +φ=state +a=quantity B=frame N=frame φ=state",
         ),

@@ -27,16 +27,17 @@ impl Parser<'_> {
         let (known, what): (&[&str], &str) = match is_claimed {
             false => (
                 &[
-                    "mass", "inertia", "fixed", "position", "velocity", "angular",
+                    "mass", "inertia", "fixed", "axis", "forward", "position", "velocity",
+                    "angular",
                 ],
-                "`mass`, `inertia`, `fixed in`, `position`, `velocity` or `angular velocity`",
+                "`mass`, `inertia`, `fixed in`, `axis`, `forward`, `position`, `velocity` or `angular velocity`",
             ),
             true => (
                 &[
-                    "mass", "inertia", "fixed", "axis", "position", "velocity", "angular", "force",
-                    "moment",
+                    "mass", "inertia", "fixed", "axis", "forward", "position", "velocity",
+                    "angular", "force", "moment",
                 ],
-                "`mass`, `position`, `velocity`, `force`, `inertia`, `fixed in`, `axis`, `angular velocity` or `moment`",
+                "`mass`, `position`, `velocity`, `force`, `inertia`, `fixed in`, `axis`, `forward`, `angular velocity` or `moment`",
             ),
         };
         let Some(&word) = known.iter().find(|word| **word == self.raw()) else {
@@ -52,7 +53,7 @@ impl Parser<'_> {
                     self.need_word("velocity", "`angular`")?;
                 }
                 let words = if is_angular { "angular velocity" } else { word };
-                if is_claimed || word == "mass" {
+                if is_claimed || matches!(word, "mass" | "axis" | "forward") {
                     (words, BodyPartKind::Value(self.expr()?))
                 } else if is_angular && self.at_word("in") {
                     let frame = self.in_frame("`angular velocity`")?;

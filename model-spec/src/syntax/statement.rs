@@ -58,9 +58,8 @@ impl Parser<'_> {
             "replace" | "site" | "source" | "variables" | "negligible" | "increases"
             | "decreases" => Some("effect NAME"),
             "unknown" => Some("solve"),
-            "mass" | "inertia" | "fixed" | "axis" | "position" | "velocity" | "angular" => {
-                Some("body NAME")
-            }
+            "mass" | "inertia" | "fixed" | "axis" | "forward" | "position" | "velocity"
+            | "angular" => Some("body NAME"),
             _ => None,
         };
         let message = match block {

@@ -297,6 +297,7 @@ fn is_variable(kind: &ExprKind) -> bool {
             | ExprKind::AngularVelocity
             | ExprKind::SpecificForce
             | ExprKind::AngularAcceleration
+            | ExprKind::BodyRate(..)
             | ExprKind::Axis(1.., _)
     )
 }

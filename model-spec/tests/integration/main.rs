@@ -3,6 +3,7 @@
 mod broken;
 mod effects;
 mod files;
+mod flight_axes;
 mod general_effects;
 mod inputs;
 mod language;

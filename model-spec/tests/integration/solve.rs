@@ -120,3 +120,41 @@ fn what_is_differentiated_depends_on_what_has_a_derivative() {
     let circular = error("der(w) = 0; der(v) = der(x*v)/(1 m);");
     assert_eq!(circular, "`der(v)` is defined by itself");
 }
+
+const BODY: &str = "model probe; param m = 0.5 kg; param L = 2 m; param I = 1e-3 kg*m^2; frame N;
+    frame C = N by quaternion (q0, q1, q2, q3);
+    body probe { mass m; inertia diag(I, I, I) in C; fixed in C; position (x, y, z) in N;
+    velocity (u, v, w) in C; angular velocity (p, q, r) in C; }
+    force weight = -m*9.81 [m/s^2]*N.3;\n";
+
+#[test]
+fn constraints_hold_a_declared_body() {
+    let read = |statements: &str| from_text("probe.hyz", &format!("{BODY}{statements}"), &[]);
+    let rod = "force rod = -T*unit(position); solve rod { unknown T: N; constraint norm(position) = L within 1 mm; }";
+    let model = read(rod).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(model.systems[0].constraints.len(), 2);
+    // Of velocities: once differentiated. The rim of a wheel does not slip.
+    let wheel = "force grip = F*N.1; moment grip = in_C(-(0.1 [m])*N.3) × in_C(F*N.1);
+        solve wheel { unknown F: N; constraint in_N(velocity).1 = 0.1 [m]*in_N(angular_velocity).2 within 1 mm/s; }";
+    let model = read(wheel).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(model.systems[0].constraints.len(), 1);
+    let refused = |statements: &str| read(statements).expect_err(statements).to_string();
+    let message = refused("solve rod { unknown T: N; constraint norm(position) = L within 1 mm; }");
+    assert!(
+        message.contains("nor its derivatives have unknowns of this block"),
+        "{message}"
+    );
+    let two = "force a = -T*unit(position); force b = F*N.2;
+        solve a { unknown T: N; constraint norm(position) = L within 1 mm; }
+        solve b { unknown F: N; constraint y = 0 within 1 mm; }";
+    let message = refused(two);
+    assert!(
+        message.contains("the equations of `solve a` have `F`, which `solve b` determines"),
+        "{message}"
+    );
+    let message = refused("let a = der(position); force b = 0*m*a/(1 s);");
+    assert!(
+        message.contains("`der(position)` follows from the forces and cannot be used here"),
+        "{message}"
+    );
+}

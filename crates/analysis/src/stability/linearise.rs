@@ -96,7 +96,7 @@ pub struct BoundBody<'b> {
 pub struct Linearised {
     /// Motion at the state.
     pub motion: Motion,
-    /// Third axis of the body.
+    /// Axis of the spin of the body: [`Turning::axis`](flight::throw::Turning::axis).
     pub axis: Vector3<f64>,
     /// Angular velocity, rad/s.
     pub rates: Vector3<f64>,
@@ -104,7 +104,7 @@ pub struct Linearised {
     pub acceleration: Vector3<f64>,
     /// Angular acceleration, rad/s².
     pub angular_acceleration: Vector3<f64>,
-    /// Moment of inertia about the third axis, and mean of those about the axes normal to it, kg m².
+    /// Moment of inertia about that axis, and mean of those about the axes normal to it, kg m².
     pub inertia: (f64, f64),
     /// 12 × 12 matrix A of ẋ = A x with x = (displacement, change of velocity, small rotation, change of angular
     /// velocity), SI.
@@ -200,7 +200,7 @@ impl BoundBody<'_> {
         }
         let change = &by_state * nalgebra::DVector::from_column_slice(&f);
         let part = |row: usize| Vector3::new(change[row], change[row + 1], change[row + 2]);
-        let axis = axes.column(2).into_owned();
+        let axis = turning.axis();
         let inertia = thrown
             .inertia(state, &self.parameters)
             .unwrap_or_else(Matrix3::identity);

@@ -40,7 +40,7 @@ const STARTS: [[f64; 4]; 8] = [
     [15.0, -0.3, 0.05, -1.0],
 ];
 
-/// Steady flight with the given spin, rad/s about the third axis (negative: a right-hander's backhand).
+/// Steady flight with the given spin, rad/s about the axis of [`Turning::axis`] (negative: a right-hander's backhand).
 pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     let found = STARTS
         .into_iter()
@@ -52,20 +52,23 @@ pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
 }
 
 /// Motion of a steady flight with a given spin, rad/s; `of` is speed (m/s), climb, nose, hyzer (rad) and turn (rad/s).
-fn motion(of: &DVector<f64>, spin: f64) -> Motion {
+fn motion(of: &DVector<f64>, spin: f64, is_along: bool) -> Motion {
     let course = Rotation3::from_axis_angle(&Vector3::y_axis(), -of[1]);
     let attitude = course
         * Rotation3::from_axis_angle(&Vector3::x_axis(), -of[3])
         * Rotation3::from_axis_angle(&Vector3::y_axis(), -of[2]);
-    let n = attitude * Vector3::z();
     let turn = Vector3::new(0.0, 0.0, of[4]);
+    let mut turning = Turning {
+        axes: attitude.into_inner(),
+        rates: turn,
+        is_along,
+    };
+    let n = turning.axis();
+    turning.rates = n * spin + turn - n * turn.dot(&n);
     Motion {
         position: Vector3::new(0.0, 0.0, Throw::DEFAULT_HEIGHT),
         velocity: course * Vector3::x() * of[0],
-        turning: Some(Turning {
-            axes: attitude.into_inner(),
-            rates: n * spin + turn - n * turn.dot(&n),
-        }),
+        turning: Some(turning),
     }
 }
 
@@ -77,8 +80,12 @@ fn residual(
     spin: f64,
     near: Option<&[f64]>,
 ) -> Option<(DVector<f64>, Vec<f64>)> {
-    let wanted = motion(of, spin);
     let thrown = &body.body.thrown;
+    let axes = body.body.model.flight_axes();
+    let is_along = axes.is_some_and(|(_, axes)| axes.is_along());
+    let wanted = motion(of, spin, is_along);
+    // The two axes across that of the spin.
+    let across = if is_along { [1, 2] } else { [0, 1] };
     let state = thrown.state_of(&wanted, &body.parameters, near).ok()?;
     let (acceleration, angular) = body.accelerations(&state)?;
     let turning = wanted.turning?;
@@ -89,8 +96,8 @@ fn residual(
         off.x / 10.0,
         off.y / 10.0,
         off.z / 10.0,
-        twist.dot(&turning.axes.column(0)) / 10.0,
-        twist.dot(&turning.axes.column(1)) / 10.0,
+        twist.dot(&turning.axes.column(across[0])) / 10.0,
+        twist.dot(&turning.axes.column(across[1])) / 10.0,
     ];
     parts
         .iter()

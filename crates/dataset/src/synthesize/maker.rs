@@ -38,8 +38,12 @@ impl Maker<'_> {
         // Each flight has its own random stream, so that an additional flight does not change the others.
         let mut random = ChaCha12Rng::seed_from_u64(plan.seed);
         random.set_stream(index as u64);
-        let state = plan.spread.draw(self.model, &release.state(), &mut random);
+        let mut state = plan.spread.draw(self.model, &release.state(), &mut random);
         let parameters = self.body.release_parameters(release);
+        if let Some(constraints) = self.body.constraints() {
+            let mut constraints = constraints.bind(parameters.constants.clone());
+            constraints.project(0.0, &mut state, None);
+        }
         let times = self.times(release, &parameters, &state)?;
         let mut positions = self.observed(&parameters, &state, &times)?;
         corrupt(&mut positions, &plan.noise, random.next_u64());

@@ -42,11 +42,12 @@ impl ScoreTestModel<'_> {
         let flights = self.flights.iter().map(|observations| {
             let known = observations.known_states.iter().map(|(state, _)| *state);
             let known: Vec<StateId> = known.chain(null_states.iter().copied()).collect();
+            let parameters = observations.parameters(&self.problem, &from.global);
+            let parameters = parameters.constants;
             Observations {
-                parameters: observations
-                    .parameters(&self.problem, &from.global)
-                    .constants,
-                manifold: StateManifold::new(&problem.model, &known),
+                manifold: StateManifold::new(&problem.model, &known)
+                    .held_by(&problem.body, &parameters),
+                parameters,
                 ..observations.clone()
             }
         });

@@ -85,9 +85,10 @@ impl BoundMotion<'_> {
         for added in &self.model.added {
             jacobian.column_mut(*added).fill(0.0);
         }
-        if self.model.is_revolution {
-            // The first two axes are not fixed in the body.
-            for row in 6..12 {
+        if self.model.has_attitude() {
+            // Of a mere axis of revolution, the other two axes are not fixed in the body.
+            let free = (0..3).filter(|axis| !self.model.fixed_axes.contains(axis));
+            for row in free.flat_map(|axis| 6 + 3 * axis..9 + 3 * axis) {
                 jacobian.row_mut(row).fill(0.0);
                 wanted.row_mut(row).fill(0.0);
             }
@@ -98,17 +99,31 @@ impl BoundMotion<'_> {
             .unwrap_or_else(|_| DMatrix::zeros(state.len(), wanted.ncols()))
     }
 
-    /// Angular velocity in body axes, rad/s, for a spin of 1 rad/s about the third axis and the wobble of `throw`.
+    /// Angular velocity in body axes, rad/s, for a rate of 1 rad/s about [`Turning::axis`](super::Turning::axis) and the
+    /// wobble of `throw`, and its derivative by the wobble.
     fn rates_of_spin(&self, throw: &Throw, state: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
         let axes = throw.attitude();
         let wobble = throw.wobble.unwrap_or(0.0).to_radians();
         let inertia = self.inertia(state).unwrap_or_else(Matrix3::identity);
         let own = axes.inverse().matrix() * inertia * axes.matrix();
         let inverse = own.try_inverse().unwrap_or_else(Matrix3::identity);
-        let along = inverse * Vector3::new(wobble.sin(), 0.0, wobble.cos());
-        let slope = inverse * Vector3::new(wobble.cos(), 0.0, -wobble.sin());
-        let rates = along / along.z;
-        (rates, (slope - rates * slope.z) / along.z)
+        let (sin, cos) = wobble.sin_cos();
+        let (along, slope, about) = match self.model.is_along {
+            true => (
+                Vector3::new(-cos, 0.0, sin),
+                Vector3::new(sin, 0.0, cos),
+                -Vector3::x(),
+            ),
+            false => (
+                Vector3::new(sin, 0.0, cos),
+                Vector3::new(cos, 0.0, -sin),
+                Vector3::z(),
+            ),
+        };
+        let (along, slope) = (inverse * along, inverse * slope);
+        let whole = along.dot(&about);
+        let rates = along / whole;
+        (rates, (slope - rates * slope.dot(&about)) / whole)
     }
 }
 

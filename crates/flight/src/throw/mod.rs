@@ -2,9 +2,11 @@
 //! motion.
 //!
 //! The angles are those that launch monitors report. The velocity determines `heading` (over the ground, from +x to the
-//! left) and `launch` (above the horizontal). The body axis d3 (third axis of the body-fixed frame) is initially normal
-//! to the velocity, in the vertical plane; `hyzer` rotates it about the velocity, positive to the left, and `nose` then
-//! rotates it about the body's left axis, positive nose-up. Without wind, `nose` is the angle of attack.
+//! left) and `launch` (above the horizontal). The body axis d3 (the axis of its spin, by default the third of the
+//! body-fixed frame) is initially normal to the velocity, in the vertical plane; `hyzer` rotates it about the velocity,
+//! positive to the left, and `nose` then rotates it about the body's left axis, positive nose-up. Without wind, `nose` is
+//! the angle of attack. A body that flies along the axis of its spin has that axis along the velocity; `nose` lifts it,
+//! in the plane that `hyzer` has tilted.
 
 mod flown;
 mod gradient;
@@ -15,6 +17,7 @@ mod observed;
 
 use std::f64::consts::PI;
 
+use motion::spin_axis;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 pub use flown::FlownThrow;
@@ -40,7 +43,8 @@ pub struct Throw {
     pub nose: Option<f64>,
     /// Tilt about the velocity, deg, positive with the left edge, from behind, lower; `None` as for `nose`.
     pub hyzer: Option<f64>,
-    /// Spin about the body axis d3, positive clockwise as seen from above, rpm; `None` as for `nose`.
+    /// Spin about the axis of the body, positive clockwise as seen from above, or from behind if the body flies along
+    /// it, rpm; `None` as for `nose`.
     pub spin: Option<f64>,
     /// Angle between body axis and angular momentum, deg: for a body of revolution without moments, half the opening
     /// angle of the axis's cone, whose own axis is ahead at release, towards the nose. `None` as for `nose`.
@@ -203,21 +207,22 @@ impl Throw {
     }
 
     /// Motion at release, with the mass centre above `ground` (x, y), m, and without wobble: the angular velocity is
-    /// along d3. Without `has_attitude`, there is none.
+    /// along the axis of the spin. Without `has_attitude`, there is none; `is_along`, that axis points ahead.
     #[doc(hidden)]
-    pub fn motion(&self, ground: [f64; 2], has_attitude: bool) -> Motion {
+    pub fn motion(&self, ground: [f64; 2], has_attitude: bool, is_along: bool) -> Motion {
         let axes = self.attitude().into_inner();
         Motion {
             position: Vector3::new(ground[0], ground[1], self.height),
             velocity: self.course() * Vector3::x() * self.speed,
             turning: has_attitude.then(|| Turning {
                 axes,
-                rates: axes.column(2) * self.rotation_rate(),
+                rates: spin_axis(&axes, is_along) * self.rotation_rate(),
+                is_along,
             }),
         }
     }
 
-    /// Component of the angular velocity along d3, rad/s, of opposite sign to `spin`; 0 without a spin.
+    /// Component of the angular velocity along [`Turning::axis`], rad/s, of opposite sign to `spin`; 0 without a spin.
     #[doc(hidden)]
     pub fn rotation_rate(&self) -> f64 {
         -self.spin.unwrap_or(0.0) * RPM
@@ -227,14 +232,16 @@ impl Throw {
     fn rates(
         &self,
         axes: &Matrix3<f64>,
+        is_along: bool,
         inertia: impl FnOnce() -> Option<Matrix3<f64>>,
     ) -> Option<Vector3<f64>> {
-        let (axis, spin) = (axes.column(2), self.rotation_rate());
+        let (axis, spin) = (spin_axis(axes, is_along), self.rotation_rate());
+        let side = axes.column(if is_along { 2 } else { 0 });
         let wobble = self.wobble.unwrap_or(0.0).to_radians();
         if wobble == 0.0 {
             return Some(axis * spin);
         }
-        let cone = axis * wobble.cos() + axes.column(0) * wobble.sin();
+        let cone = axis * wobble.cos() + side * wobble.sin();
         let along = inertia()?.try_inverse()? * cone;
         Some(along * (spin / along.dot(&axis)))
     }
@@ -299,13 +306,13 @@ impl ThrownModel {
         let find = |wanted: &Motion, near: Option<&[f64]>| {
             inverse::state(&bound, wanted, near).ok_or_else(|| self.no_state())
         };
-        let mut wanted = throw.motion(ground, self.has_attitude());
+        let mut wanted = throw.motion(ground, self.has_attitude(), self.is_along);
         let state = find(&wanted, near)?;
         let wobble = throw.wobble.unwrap_or(0.0);
         let Some(turning) = wanted.turning.as_mut().filter(|_| wobble != 0.0) else {
             return Ok(state);
         };
-        let rates = throw.rates(&turning.axes, || bound.inertia(&state));
+        let rates = throw.rates(&turning.axes, self.is_along, || bound.inertia(&state));
         turning.rates = rates.ok_or_else(|| self.no_state())?;
         find(&wanted, Some(&state))
     }
@@ -381,11 +388,11 @@ impl ThrownModel {
         let Some(turning) = turning else {
             return throw;
         };
-        let axis: Vector3<f64> = turning.axes.column(2).into();
-        let seen = throw.course().inverse() * axis;
+        let axis = turning.axis();
+        let (nose, hyzer) = angles(&throw.course(), &turning);
         let spin = turning.rates.dot(&axis);
-        throw.nose = Some((-seen.x).atan2(seen.yz().norm()).to_degrees());
-        throw.hyzer = Some(seen.y.atan2(seen.z).to_degrees());
+        throw.nose = Some(nose.to_degrees());
+        throw.hyzer = Some(hyzer.to_degrees());
         throw.spin = Some(-spin / RPM);
         let wobble = bound.inertia(state).map(|inertia| {
             let momentum = inertia * turning.rates * spin.signum();
@@ -394,4 +401,20 @@ impl ThrownModel {
         throw.wobble = Some(wobble.filter(|_| spin != 0.0).unwrap_or(0.0).to_degrees());
         throw
     }
+}
+
+/// Angle between axis and velocity, rad, below which the plane of the two is not determined.
+const ALONG: f64 = 1e-9;
+
+/// Nose and hyzer angles of a body, rad, from its axes and those of the velocity.
+fn angles(course: &Rotation3<f64>, turning: &Turning) -> (f64, f64) {
+    let [ahead, up] = [0, 2].map(|k| course.inverse() * turning.axes.column(k).into_owned());
+    let across = ahead.yz().norm();
+    if !turning.is_along || across < ALONG {
+        return ((-up.x).atan2(up.yz().norm()), up.y.atan2(up.z));
+    }
+    // The axis turns about itself: its plane with the velocity counts, and the smaller hyzer of the two that it has.
+    let sign = if ahead.z < 0.0 { -1.0 } else { 1.0 };
+    let nose = sign * across.atan2(ahead.x);
+    (nose, (sign * ahead.y).atan2(sign * ahead.z))
 }

@@ -27,10 +27,29 @@ pub struct Motion {
 /// Attitude and angular velocity of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
-    /// Axes of the body, as columns, in the inertial frame; of a mere axis of revolution, the third one.
+    /// Axes of the body that point ahead, to the left and up at a release without angles, as columns, in the inertial
+    /// frame ([`FlightAxes::release`](model_spec::model::FlightAxes::release)).
     pub axes: Matrix3<f64>,
     /// Angular velocity in the inertial frame, rad/s.
     pub rates: Vector3<f64>,
+    /// Whether the body flies along the axis of its spin, as an arrow does, and not across it, as a disc does.
+    pub is_along: bool,
+}
+
+impl Turning {
+    /// Axis about which a positive spin of a [`Throw`](super::Throw) turns the other way: up, of a body that flies across
+    /// it; backwards, of one that flies along it.
+    pub fn axis(&self) -> Vector3<f64> {
+        spin_axis(&self.axes, self.is_along)
+    }
+}
+
+/// See [`Turning::axis`].
+pub(super) fn spin_axis(axes: &Matrix3<f64>, is_along: bool) -> Vector3<f64> {
+    match is_along {
+        true => -axes.column(0),
+        false => axes.column(2).into_owned(),
+    }
 }
 
 /// Motion of a model's body by state and parameters, compiled, to convert throws to states and states to throws.
@@ -38,7 +57,11 @@ pub struct ThrownModel {
     pub(super) name: String,
     pub(super) compiled: CompiledModel,
     has_attitude: bool,
-    pub(super) is_revolution: bool,
+    pub(super) is_along: bool,
+    /// Axes of [`Turning::axes`], as columns, in the frame that is fixed in the body.
+    release_axes: Matrix3<f64>,
+    /// Indices of the columns of [`Turning::axes`] that turn with the body: of a mere axis of revolution, that axis.
+    pub(super) fixed_axes: Vec<usize>,
     /// Indices of the states on which the motion of the body does not depend, such as those that effects add.
     pub(super) added: Vec<usize>,
     /// Indices of the states that are angles, those of the model's frames among them.
@@ -85,9 +108,14 @@ impl ThrownModel {
     /// Compiles the motion of a model's body.
     pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
         let name = model.name.clone();
-        let Some((vectors, is_revolution)) = vectors(model) else {
+        let Some(vectors) = vectors(model) else {
             return Err(ThrowError::NoBody(name));
         };
+        let axes = model
+            .flight_axes()
+            .map_or_else(Default::default, |own| own.1);
+        let is_along = axes.is_along();
+        let release = axes.release().map(|own| Vector3::from(own.vector()));
         let mut own = model.clone();
         // The motion at an instant depends on neither loads nor the observation.
         own.forces.clear();
@@ -106,7 +134,12 @@ impl ThrownModel {
             name,
             compiled: CompiledModel::compiled_for(&own, &Selection::Only(Vec::new())),
             has_attitude: vectors.len() == VECTORS,
-            is_revolution,
+            is_along,
+            release_axes: Matrix3::from_columns(&release),
+            fixed_axes: match is_revolution(model) {
+                true => vec![if is_along { 0 } else { 2 }],
+                false => vec![0, 1, 2],
+            },
             added: model.added_states(),
             angles: model.angle_states(),
             quaternions: model.quaternions().collect(),
@@ -116,6 +149,12 @@ impl ThrownModel {
     /// Whether the body has an attitude; false for a point mass.
     pub fn has_attitude(&self) -> bool {
         self.has_attitude
+    }
+
+    /// Axes of the frame that is fixed in the body, as columns, in the inertial frame; of a mere axis of revolution, of
+    /// the frame of that axis.
+    pub fn frame_axes(&self, turning: &Turning) -> Matrix3<f64> {
+        turning.axes * self.release_axes.transpose()
     }
 
     /// Parameter vector for a release, in the order of the model's [`Layout`](codegen::Layout).
@@ -157,7 +196,7 @@ impl ThrownModel {
 /// Copy of the model that observes, instead of a marker, the speed over the ground (m/s), the spin as in a
 /// [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0; `None` without a body.
 pub fn speed_and_spin(model: &Model) -> Option<Model> {
-    let (vectors, _) = vectors(model)?;
+    let vectors = vectors(model)?;
     let scalar = |kind| Expr {
         kind,
         shape: Shape::Scalar,
@@ -169,8 +208,13 @@ pub fn speed_and_spin(model: &Model) -> Option<Model> {
     let speed = scalar(ExprKind::Norm(boxed(&vectors[1])));
     let spin = match vectors.get(5) {
         Some(rates) => {
-            let about = scalar(ExprKind::Dot(boxed(rates), boxed(&vectors[4])));
-            let rpm = number(-1.0 / super::RPM);
+            let (_, axes) = model.flight_axes()?;
+            let (axis, sign) = match axes.is_along() {
+                true => (&vectors[2], 1.0),
+                false => (&vectors[4], -1.0),
+            };
+            let about = scalar(ExprKind::Dot(boxed(rates), boxed(axis)));
+            let rpm = number(sign / super::RPM);
             scalar(ExprKind::Mul(Box::new(rpm), Box::new(about)))
         }
         None => number(0.0),
@@ -218,6 +262,7 @@ impl BoundMotion<'_> {
             turning: self.model.has_attitude.then(|| Turning {
                 axes: vectors.axes(),
                 rates: vectors.0[5],
+                is_along: self.model.is_along,
             }),
         }
     }
@@ -240,8 +285,8 @@ impl BoundMotion<'_> {
         if let (Some(found), Some(wanted)) = (&found.turning, &wanted.turning) {
             let rate = wanted.rates.norm().max(1.0);
             all.push((found.rates - wanted.rates) / rate);
-            let first = if self.model.is_revolution { 2 } else { 0 };
-            all.extend((first..3).map(|k| found.axes.column(k) - wanted.axes.column(k)));
+            let fixed = self.model.fixed_axes.iter();
+            all.extend(fixed.map(|&k| found.axes.column(k) - wanted.axes.column(k)));
         }
         all.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
     }
@@ -260,9 +305,15 @@ impl BoundMotion<'_> {
     }
 }
 
-/// Expressions of the vectors that describe the motion, in the inertial frame and in the order of [`VECTORS`]; and
-/// whether the model defines only the axis of a body of revolution, without a frame that rotates with the body.
-pub(super) fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
+/// Whether the model defines only the axis of a body of revolution, without a frame that rotates with the body.
+pub(super) fn is_revolution(model: &Model) -> bool {
+    let claim = model.claim.as_ref().filter(|_| model.body.is_none());
+    let rotation = claim.and_then(|claim| claim.rotation.as_ref());
+    rotation.is_some_and(|own| matches!(own.attitude, ClaimedAttitude::Axis(..)))
+}
+
+/// Expressions of the vectors that describe the motion, in the inertial frame and in the order of [`VECTORS`].
+pub(super) fn vectors(model: &Model) -> Option<Vec<Expr>> {
     let vector = |kind, frame, unit| Expr {
         kind,
         shape: Shape::Vector(frame),
@@ -278,6 +329,16 @@ pub(super) fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
         },
     };
     let axis = |frame, axis| in_inertial(&vector(ExprKind::Axis(frame, axis), frame, Unit::ONE));
+    let flight_axes = model.flight_axes();
+    let release_axes = flight_axes.into_iter().flat_map(|(frame, axes)| {
+        axes.release().map(|own| {
+            let along = axis(frame, own.number);
+            match own.is_opposite {
+                false => along,
+                true => vector(ExprKind::Neg(Box::new(along)), 0, Unit::ONE),
+            }
+        })
+    });
     let tensor = |rows: &[[Expr; 3]; 3], frame| {
         let row = |parts: &[Expr; 3]| {
             let parts = ExprKind::Components(Box::new(parts.clone()));
@@ -293,7 +354,7 @@ pub(super) fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
             in_inertial(&velocity),
         ];
         if let Some(rotation) = &body.rotation {
-            all.extend([1, 2, 3].map(|k| axis(rotation.body_frame, k)));
+            all.extend(release_axes);
             let frame = rotation.angular_velocity_frame;
             all.push(in_inertial(&vector(
                 ExprKind::AngularVelocity,
@@ -302,23 +363,15 @@ pub(super) fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
             )));
             all.extend(tensor(&rotation.inertia, rotation.inertia_frame));
         }
-        return Some((all, false));
+        return Some(all);
     }
     let claim = model.claim.as_ref()?;
     let mut all = vec![in_inertial(&claim.position), in_inertial(&claim.velocity)];
     let Some(rotation) = &claim.rotation else {
-        return Some((all, false));
+        return Some(all);
     };
-    let (axes, is_revolution) = match rotation.attitude {
-        ClaimedAttitude::Frame(frame) => ([1, 2, 3].map(|k| axis(frame, k)), false),
-        // The axis of revolution is the third axis; the other two follow cyclically.
-        ClaimedAttitude::Axis(frame, third) => {
-            let others = [third % 3 + 1, (third + 1) % 3 + 1, third];
-            (others.map(|k| axis(frame, k)), true)
-        }
-    };
-    all.extend(axes);
+    all.extend(release_axes);
     all.push(in_inertial(&rotation.angular_velocity));
     all.extend(tensor(&rotation.inertia, rotation.inertia_frame));
-    Some((all, is_revolution))
+    Some(all)
 }

@@ -77,7 +77,7 @@ impl<'m> NearThrows<'m> {
         let turns = thrown.has_attitude();
         let equations = if turns { 9 } else { 6 };
         let is_small = self.attitude.len() <= MAX_ATTITUDE;
-        if thrown.is_revolution || self.linear.len() != equations || !is_small {
+        if thrown.fixed_axes.len() < 3 || self.linear.len() != equations || !is_small {
             return None;
         }
         state.copy_from_slice(&self.near);
@@ -95,9 +95,10 @@ impl<'m> NearThrows<'m> {
         }
         let mut rates = Vector3::zeros();
         if turns {
-            rates = throw.rates(&axes, || Some(bound.vectors(state).inertia()))?;
+            let inertia = || Some(bound.vectors(state).inertia());
+            rates = throw.rates(&axes, thrown.is_along, inertia)?;
         }
-        let place = throw.motion(ground, false);
+        let place = throw.motion(ground, false, thrown.is_along);
         let wanted = [(0, place.position), (1, place.velocity), (5, rates)];
         let difference = |state: &[f64]| {
             let mut all = SVector::<f64, 9>::zeros();

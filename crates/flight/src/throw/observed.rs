@@ -5,7 +5,7 @@ use codegen::compile::Selection;
 use model_spec::model::{Expr, ExprKind, Model, Observation, Shape};
 use model_spec::unit::Unit;
 
-use super::motion::vectors;
+use super::motion::{is_revolution, vectors};
 use crate::CompiledModel;
 
 /// Vector of the motion of a body, in the inertial frame.
@@ -17,9 +17,9 @@ pub enum MotionVector {
     Velocity,
     /// Angular velocity, rad/s; of a point mass its vector `spin`, or else `omega`.
     Spin,
-    /// Third axis of the body.
+    /// Axis of the body that points up at a release without angles.
     Axis,
-    /// First axis of the body.
+    /// Axis of the body that points ahead.
     FirstAxis,
     /// Angular momentum about the mass centre, kg m²/s.
     Momentum,
@@ -47,11 +47,11 @@ impl MotionVector {
     }
 
     fn of(self, model: &Model) -> Option<Expr> {
-        let (all, is_revolution) = vectors(model)?;
+        let all = vectors(model)?;
         let place = match self {
             Self::Position => 0,
             Self::Velocity => 1,
-            Self::FirstAxis if is_revolution => return None,
+            Self::FirstAxis if is_revolution(model) => return None,
             Self::FirstAxis => 2,
             Self::Axis => 4,
             Self::Spin if all.len() > 5 => 5,

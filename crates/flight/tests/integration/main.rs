@@ -1,5 +1,6 @@
 //! Releases, throws, winds and tables of flights.
 
+mod constraints;
 mod inputs;
 mod lanes;
 mod near_throws;

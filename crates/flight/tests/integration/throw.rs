@@ -29,9 +29,31 @@ body slab {
 force weight = -mass*g*N.3;
 ";
 
+/// Source text of a slender body with the axes that `AXES` stands for.
+const DART: &str = "model dart;
+param m = 0.02 kg;
+param J_1 = 1e-6 kg*m^2;
+param J_2 = 4e-4 kg*m^2;
+frame N;
+frame C = N by quaternion (q0, q1, q2, q3);
+body dart {
+  mass m;
+  inertia diag(J_1, J_2, J_2) in C;
+  fixed in C;
+  AXES
+  position (x, y, z) in N;
+  velocity (vx, vy, vz) in N;
+  angular velocity (p, q, r) in C;
+}
+force weight = -m*9.81 [m/s^2]*N.3;
+";
+
 fn model(name: &str) -> Model {
     match name {
         "slab" => model_spec::load::from_text("slab", OWN, &[]),
+        name if name.contains("C.") => {
+            model_spec::load::from_text("dart", &DART.replace("AXES", name), &[])
+        }
         name => model_spec::load::load(name, &[]),
     }
     .unwrap_or_else(|e| panic!("{e}"))
@@ -108,6 +130,48 @@ fn throws_of_the_disc_by_quaternion_return() {
 #[test]
 fn throws_of_the_discus_return() {
     round_trips("discus", 32);
+}
+
+#[test]
+fn throws_of_bodies_that_state_their_axes_return() {
+    round_trips("axis C.1; forward C.1;", 32);
+    round_trips("axis C.1; forward -C.1;", 32);
+    round_trips("axis -C.3; forward C.1;", 32);
+    round_trips("axis C.2;", 32);
+}
+
+/// A throw of an arrow: its first axis points along the velocity but for the nose angle, and its spin is about it.
+#[test]
+fn a_body_that_flies_along_its_axis_is_thrown_along_it() {
+    let thrown = ThrownModel::new(&model("axis C.1; forward C.1;")).expect("a body");
+    let throw = Throw {
+        launch: 30.0,
+        nose: Some(5.0),
+        spin: Some(600.0),
+        ..Throw::at_speed(50.0)
+    };
+    let parameters = [0.02, 1e-6, 4e-4];
+    let state = thrown
+        .state(&throw, [0.0; 2], &parameters)
+        .expect("a state");
+    let turning = thrown.motion(&state, &parameters).turning.expect("a body");
+    let (sin, cos) = 35f64.to_radians().sin_cos();
+    let ahead = nalgebra::Vector3::new(cos, 0.0, sin);
+    let axes = thrown.frame_axes(&turning);
+    assert!((axes.column(0) - ahead).norm() < 1e-9, "{axes}");
+    // Clockwise, seen from behind.
+    let rate = 600.0 * std::f64::consts::PI / 30.0;
+    assert!(
+        (turning.rates - ahead * rate).norm() < 1e-6,
+        "{}",
+        turning.rates
+    );
+    let wing = ThrownModel::new(&model("axis -C.3; forward C.1;")).expect("a body");
+    let state = wing.state(&throw, [0.0; 2], &parameters).expect("a state");
+    let turning = wing.motion(&state, &parameters).turning.expect("a body");
+    let axes = wing.frame_axes(&turning);
+    assert!((axes.column(0) - ahead).norm() < 1e-9, "{axes}");
+    assert!(axes.column(2).z < 0.0, "{axes}");
 }
 
 #[test]

@@ -35,6 +35,7 @@ impl Trajectory {
         seen: Range<usize>,
     ) -> Result<Self, FlightError> {
         let manifold = StateManifold::new(&problem.model, &[]);
+        let manifold = manifold.held_by(&problem.body, &observations.parameters);
         let (dimension, markers) = (manifold.dimension(), observations.markers);
         let evaluated = Observations {
             measured: vec![Some([0.0; 3]); seen.end * markers],

@@ -155,6 +155,10 @@ fn descend(
 ) -> Option<(f64, DVector<f64>)> {
     // States that effects add do not follow from the motion and retain their values.
     let added = problem.model.added_states();
+    if observations.manifold.is_held() {
+        let still = DVector::zeros(observations.manifold.dimension());
+        state = observations.manifold.plus(&state, &still);
+    }
     let mut residual = shown.at(&state) - target;
     let mut damping = 1e-6;
     for _ in 0..60 {

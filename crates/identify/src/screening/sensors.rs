@@ -49,7 +49,7 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
             SensorKind::Pose => inertia(problem)
                 .and_then(|inertia| {
                     let attitudes = channel + 1;
-                    let axes = || body_axes(dataset, attitudes, &inertia);
+                    let axes = || body_axes(problem, dataset, attitudes, &inertia);
                     convention(dataset, attitudes, &inertia).or_else(axes)
                 })
                 .map(|message| (FaultKind::AttitudeConvention, message)),
@@ -74,7 +74,8 @@ fn inertia(problem: &FitProblem) -> Option<Matrix3<f64>> {
     let body = ThrownModel::new(&problem.model).ok()?;
     let layout = problem.body.layout();
     let state = layout.default_states();
-    let axes = body.motion(&state, &problem.parameters).turning?.axes;
+    let turning = body.motion(&state, &problem.parameters).turning?;
+    let axes = body.frame_axes(&turning);
     Some(axes.transpose() * body.inertia(&state, &problem.parameters)? * axes)
 }
 
@@ -216,21 +217,26 @@ fn convention(
     })
 }
 
-/// Message and correction for a flat body that spins about another than its third axis.
+/// Message and correction for a flat body that spins about another than its axis of symmetry.
 fn body_axes(
+    problem: &FitProblem,
     dataset: &Dataset,
     channel: usize,
     inertia: &Matrix3<f64>,
 ) -> Option<(String, String)> {
     let diagonal = inertia.diagonal();
-    let is_flat = diagonal.z > FLAT * diagonal.x.max(diagonal.y);
+    let (_, axes) = problem.model.flight_axes()?;
+    let own = usize::from(axes.spin.number) - 1;
+    let others = diagonal[(own + 1) % 3].max(diagonal[(own + 2) % 3]);
+    let is_flat = diagonal[own] > FLAT * others;
     let flights = dataset.flights.iter();
     let attitudes = flights.map(|flight| series(flight, channel).map(|(_, own)| attitude(own)));
-    let axis = dataset::spin_axis(attitudes).filter(|axis| is_flat && *axis != 2)?;
+    let axis = dataset::spin_axis(attitudes).filter(|axis| is_flat && *axis != own)?;
     let name = dataset::AXES[axis];
     Some((
         format!(
-            "the body spins about its {name} axis; the model is flat, with its third axis as axis of symmetry"
+            "the body spins about its {name} axis; the model is flat, with its {} axis as axis of symmetry",
+            ["first", "second", "third"][own]
         ),
         format!("state `body_up = \"+{name}\"` in [recording], or turn the body axes"),
     ))

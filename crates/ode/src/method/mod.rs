@@ -169,8 +169,8 @@ impl<X: StateVector> Stepper<X> {
     }
 
     /// State and derivative at the start of the step, to compute the derivative anew.
-    pub fn start_mut(&mut self) -> (&X, &mut X) {
-        (&self.x, &mut self.k[0])
+    pub fn start_mut(&mut self) -> (&mut X, &mut X) {
+        (&mut self.x, &mut self.k[0])
     }
 
     /// Derivative at the end of an accepted step.

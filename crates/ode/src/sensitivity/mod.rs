@@ -26,6 +26,10 @@ pub trait DifferentiableRhs {
         jacobian: &mut [f64],
         parameter_jacobian: &mut [f64],
     );
+    /// Moves the state at the end of a step, as [`OdeRhs::project`]; its sensitivities stay.
+    fn project(&mut self, _t: f64, _x: &mut [f64]) -> bool {
+        false
+    }
     /// Times at which f may jump, as [`OdeRhs::time_breaks`].
     fn time_breaks(&self) -> &[f64] {
         &[]
@@ -183,6 +187,11 @@ impl OdeRhs for Sensitivities<'_> {
         for &(entry, index) in &self.parameter_terms[..] {
             ds[index] += parameter_jacobian[entry];
         }
+    }
+
+    fn project(&mut self, t: f64, augmented: &mut AlignedVec) -> bool {
+        let states = self.layout.state_range();
+        self.rhs.project(t, &mut augmented.as_mut()[states])
     }
 
     fn error_controlled_len(&self) -> usize {

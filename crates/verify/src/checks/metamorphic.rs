@@ -56,6 +56,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     };
     let axis = axis_of_revolution(subject.model)
         .or_else(|| meaning.axis_of_revolution())
+        .or_else(|| stated_axis(subject.model))
         .or(subject.reference.as_ref().map(|_| 3));
     let apply: Vec<_> = Relation::ALL
         .into_iter()
@@ -290,6 +291,12 @@ fn axis_of_revolution(model: &Model) -> Option<u8> {
         }
         _ => None,
     }
+}
+
+/// Axis (1, 2 or 3) about which the body of a model states that it spins.
+fn stated_axis(model: &Model) -> Option<u8> {
+    let (_, axes) = model.flight_axes()?;
+    axes.states_spin.then_some(axes.spin.number)
 }
 
 fn has_wind(model: &Model) -> bool {

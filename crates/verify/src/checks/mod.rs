@@ -5,6 +5,7 @@ pub mod balances;
 pub mod cases;
 pub mod claim;
 pub mod derivatives;
+pub mod determined;
 mod disputed;
 pub mod effects;
 pub mod exact;

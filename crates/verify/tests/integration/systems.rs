@@ -205,3 +205,84 @@ fn right_models_of_the_gallery_hold_and_wrong_ones_are_refuted_by_their_balances
         );
     }
 }
+
+/// A block that determines its unknown nowhere is found out before any other check, and soon.
+#[test]
+fn a_block_that_is_singular_everywhere_is_refuted() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/gallery/tethered_kite.hyz"
+    );
+    let text = std::fs::read_to_string(path).expect("the kite");
+    let line = "- T*r/L;";
+    assert!(text.contains(line));
+    let wrong = text.replace(line, "- T*cross(r, v)/(L*1 [m/s]);");
+    let loaded = model_spec::load::inspect_text("kite.hyz", &wrong, &[]).expect("a model");
+    let begun = std::time::Instant::now();
+    let report = verify::run(&loaded, &verify::Options::default());
+    let seconds = begun.elapsed().as_secs_f64();
+    println!("{seconds:.2} s");
+    assert!(seconds < 60.0, "{seconds} s");
+    let fault = report.rows.last().expect("a row");
+    assert_eq!(
+        (fault.check, fault.verdict),
+        ("unknowns determined", Verdict::Refuted)
+    );
+    assert!(
+        fault.detail.contains("\"solve line\" does not determine"),
+        "{}",
+        fault.detail
+    );
+    assert_eq!(report.outcome(), verify::report::Outcome::Refuted);
+}
+
+/// A declared body that a block holds is verified as any other.
+#[test]
+fn constrained_bodies_are_verified() {
+    let text = "model rod; param m = 0.5 kg; param l = 0.6 m; param I = 0.06 kg*m^2; param I_a = 1e-3 kg*m^2; param L = 0.8 m; param g = 9.81 m/s^2;
+        frame N; frame C = N by quaternion (q0, q1, q2, q3);
+        body rod { mass m; inertia diag(I, I, I_a) in C; fixed in C; axis C.3; forward C.1;
+          position (x, y, z) in N; velocity (u, v, w) in C; angular velocity (p, q, r) in C; }
+        let end = position + l*in_N(C.3);
+        force weight = -m*g*N.3;
+        force string = -T*unit(end);
+        moment string = l*C.3 × in_C(-T*unit(end));
+        solve string { unknown T: N; constraint norm(end) = L within 1 cm; }";
+    let loaded = model_spec::load::inspect_text("rod.hyz", text, &[]).expect("a model");
+    let options = verify::Options {
+        cases: 5,
+        mutants: false,
+        effects: false,
+        ..verify::Options::default()
+    };
+    let report = verify::run(&loaded, &options);
+    assert!(report.holds(), "{}", report.table());
+}
+
+/// Where a body states which axis points ahead, about half of the random states are those of a typical flight.
+#[test]
+fn random_states_of_an_arrow_are_of_flights_along_it() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/gallery/arrow.hyz"
+    );
+    let text = std::fs::read_to_string(path).expect("the arrow");
+    let count = |text: &str| {
+        let model = from_text("arrow.hyz", text, &[]).expect("a model");
+        let chart = oracle::Chart::declared(&model).expect("a body");
+        let points = verify::sample::points(&model, 400, &mut Random::new(7, "arrow"));
+        let along = points.iter().filter(|point| {
+            let physical = chart.physical(&point.states);
+            let ahead = physical
+                .attitude
+                .axis(1)
+                .dot(&physical.velocity.normalize());
+            ahead > 0.55_f64.cos()
+        });
+        along.count()
+    };
+    let stated = count(&text);
+    let unstated = count(&text.replace("forward C.1;", ""));
+    assert!((150..300).contains(&stated), "{stated}");
+    assert!(unstated < 80, "{unstated}");
+}

@@ -35,9 +35,8 @@ pub struct Body {
 /// A statement in the block of a body, such as `mass EXPR;`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyPart {
-    /// Keywords: `mass`, `inertia`, `fixed in`, `position`, `velocity`, `angular velocity`, `angular velocity in`; of a
-    /// claim also `force` and `moment`, the sums of all loads with the weight, and `axis`, the axis of revolution of a body
-    /// to which no frame is fixed.
+    /// Keywords: `mass`, `inertia`, `fixed in`, `axis` of the spin, `forward`, `position`, `velocity`, `angular velocity`,
+    /// `angular velocity in`; of a claim also `force` and `moment`, the sums of all loads with the weight.
     pub words: &'static str,
     /// Content of the statement.
     pub kind: BodyPartKind,
@@ -54,7 +53,7 @@ pub enum BodyPartKind {
     Frame(Name),
     /// Names of the states of a declared body, and the frame of their components: `position (x, y, z) in FRAME;`
     States([Name; 3], Name),
-    /// Mass, or quantity of a claimed body.
+    /// Mass, axis, or quantity of a claimed body.
     Value(Expr),
 }
 
