@@ -112,15 +112,20 @@ pub fn resolve_spin_aliases(
     for place in 1..fits.len() {
         let ((tried, new), (other, before)) = (&fits[place], &fits[best]);
         let [scale, least] = [place, best].map(scale);
-        let gain = gain_of((tried, new), (other, before), least);
-        let are_noise = is_noise(least) && is_noise(scale);
+        let [gain, alone] = gain_of((tried, new), (other, before), scale.min(least));
+        let are_noise = is_noise(scale.min(least));
         let is_better = match are_noise {
             true => gain > MIN_DEVIANCE,
             false => scale < ACCEPTED_RATIO * least,
         };
-        // Another spin that fits as well, or one that fits as badly, at residuals that are noise.
-        let is_as_good = are_noise && gain.abs() <= MIN_DEVIANCE && is_another(tried, other);
+        // Neither spin is better both with the priors and without them.
+        let is_open = gain.abs().min(alone.abs()) <= MIN_DEVIANCE || gain * alone < 0.0;
+        let is_as_good = are_noise && is_open && is_another(tried, other);
         is_doubtful = is_as_good || is_doubtful && !is_better;
+        eprintln!(
+            "DEBUG {place} {best} {scale} {least} {gain} {alone} {}",
+            state.problem.sigma0
+        );
         if is_better {
             best = place;
         }
@@ -145,25 +150,26 @@ fn is_another(one: &State<'_>, other: &State<'_>) -> bool {
         && pairs.any(|(one, other)| (one - other).norm() > ANOTHER * other.norm())
 }
 
-/// Decrease of the deviance from the fit `before` to the fit `new`, for noise of unknown size, with weak priors of the
-/// parameters: another spin may be compensated by moments that no such body has. `scale` is that of the residuals, m.
+/// Decrease of the deviance from the fit `before` to the fit `new`, for noise of unknown size: with weak priors of the
+/// parameters, since moments that no such body has may make up for another spin, and without. `scale` is that of the
+/// residuals, m.
 fn gain_of(
     (new, new_cache): (&State<'_>, &ResidualCache),
     (before, before_cache): (&State<'_>, &ResidualCache),
     scale: f64,
-) -> f64 {
-    let deviance = |state: &State<'_>, cache: &ResidualCache| {
-        let (squares, count) = cache.clipped_squares(scale);
-        let globals = state.problem.globals.iter().zip(state.global.iter());
-        let prior = globals.map(|(own, value)| ((value - own.model_value) / own.x_scale).powi(2));
-        (count, count as f64 * squares.ln() + prior.sum::<f64>())
-    };
-    let (count, is) = deviance(new, new_cache);
-    let (count_before, was) = deviance(before, before_cache);
-    match count >= count_before {
-        true => was - is,
-        false => f64::NEG_INFINITY,
+) -> [f64; 2] {
+    let [(is, count), (was, count_before)] =
+        [new_cache, before_cache].map(|cache| cache.clipped_squares(scale));
+    if count < count_before {
+        return [f64::NEG_INFINITY; 2];
     }
+    let prior = |state: &State<'_>| {
+        let globals = state.problem.globals.iter().zip(state.global.iter());
+        let each = globals.map(|(own, value)| ((value - own.model_value) / own.x_scale).powi(2));
+        each.sum::<f64>()
+    };
+    let alone = count as f64 * (was / is).ln();
+    [alone + prior(before) - prior(new), alone]
 }
 
 /// A fit in progress in which each flight starts at its guess with `alias` additional turns, if it has one.
