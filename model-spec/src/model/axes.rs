@@ -1,7 +1,5 @@
 //! Axes of a body in flight: about which it spins, and which of them points ahead.
 
-use super::{ClaimedAttitude, Model};
-
 /// An axis of a frame, or the opposite of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BodyAxis {
@@ -83,19 +81,5 @@ impl FlightAxes {
         let is_cyclic = forward.number == up.next();
         let is_opposite = forward.is_opposite ^ up.is_opposite ^ !is_cyclic;
         [forward, BodyAxis::new(third, is_opposite), up]
-    }
-}
-
-impl Model {
-    /// Axes of the declared or claimed body in flight, and the index into [`Model::frames`] of their frame; `None`
-    /// without a body that turns.
-    pub fn flight_axes(&self) -> Option<(usize, FlightAxes)> {
-        if let Some(body) = &self.body {
-            let rotation = body.rotation.as_ref()?;
-            return Some((rotation.body_frame, rotation.axes));
-        }
-        let rotation = self.claim.as_ref()?.rotation.as_ref()?;
-        let (ClaimedAttitude::Frame(frame) | ClaimedAttitude::Axis(frame, _)) = rotation.attitude;
-        Some((frame, rotation.axes))
     }
 }

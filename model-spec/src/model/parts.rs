@@ -1,6 +1,6 @@
 //! Parts of a model: claimed body, applied effects, tables and functions.
 
-use super::{Expr, FlightAxes};
+use super::{Expr, FlightAxes, Model};
 use crate::fingerprint;
 pub use crate::syntax::ast::{Continuation, Interpolation};
 use crate::unit::Unit;
@@ -46,6 +46,20 @@ pub enum ClaimedAttitude {
     Frame(usize),
     /// The axis of revolution: frame, which does not spin with the body, and number of its axis (1 to 3).
     Axis(usize, u8),
+}
+
+impl Model {
+    /// Axes of the declared or claimed body in flight, and the index into [`Model::frames`] of their frame; `None`
+    /// without a body that turns.
+    pub fn flight_axes(&self) -> Option<(usize, FlightAxes)> {
+        if let Some(body) = &self.body {
+            let rotation = body.rotation.as_ref()?;
+            return Some((rotation.body_frame, rotation.axes));
+        }
+        let rotation = self.claim.as_ref()?.rotation.as_ref()?;
+        let (ClaimedAttitude::Frame(frame) | ClaimedAttitude::Axis(frame, _)) = rotation.attitude;
+        Some((frame, rotation.axes))
+    }
 }
 
 /// Function body of [`Claim::expressions`] and [`Claim::expressions_mut`], which differ only in the kind of reference.

@@ -122,10 +122,6 @@ pub fn resolve_spin_aliases(
         let is_open = gain.abs().min(alone.abs()) <= MIN_DEVIANCE || gain * alone < 0.0;
         let is_as_good = are_noise && is_open && is_another(tried, other);
         is_doubtful = is_as_good || is_doubtful && !is_better;
-        eprintln!(
-            "DEBUG {place} {best} {scale} {least} {gain} {alone} {}",
-            state.problem.sigma0
-        );
         if is_better {
             best = place;
         }
