@@ -176,3 +176,44 @@ fn units_conventions_and_saturation_of_sensors_are_named() {
     let clipped = |rate: [f64; 3]| rate.map(|own| own.clamp(-34.9, 34.9));
     refused(sensed(clipped, unturned), "imu_z is saturated");
 }
+
+/// Twenty turns of a body whose gyroscope and accelerometer, 3 cm off the axis, state what a spin of 60 rad/s demands, in
+/// `unit` m/s².
+fn spun(unit: f64) -> Dataset {
+    let times: Vec<f64> = (0..200).map(|k| 0.01 * f64::from(k)).collect();
+    let rates: Vec<_> = times.iter().map(|_| Some([0.0, 0.0, 60.0])).collect();
+    let forces = times.iter().map(|t| {
+        let (sin, cos) = (60.0 * t).sin_cos();
+        Some([cos - 108.0, sin, 8.0].map(|force| force / unit))
+    });
+    let none = vec![Vec::new(); times.len()];
+    DatasetBuilder::new("disc_quaternion")
+        .sensor(
+            "gyro",
+            SensorKind::Instrument(Instrument::Gyroscope),
+            [0.0; 3],
+        )
+        .sensor(
+            "acc",
+            SensorKind::Instrument(Instrument::Accelerometer),
+            [0.03, 0.0, 0.0],
+        )
+        .flight("spun", Role::Fit, &times, none)
+        .readings("gyro", &rates)
+        .readings("acc", &forces.collect::<Vec<_>>())
+        .build()
+        .unwrap()
+}
+
+#[test]
+fn an_accelerometer_in_g_is_named_by_the_rates_of_a_gyroscope() {
+    let model = Model::load("disc_quaternion").unwrap();
+    let said = |unit| match Fit::of(&model).run(&spun(unit)) {
+        Ok(fit) => fit.cautions().join(" "),
+        Err(error) => error.to_string(),
+    };
+    let found = said(9.80665);
+    assert!(found.contains("acceleration = \"g\""), "{found}");
+    let found = said(1.0);
+    assert!(!found.contains("acceleration ="), "{found}");
+}

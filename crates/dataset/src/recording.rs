@@ -12,16 +12,14 @@ use super::words::{meant, shown};
 use crate::input_error::InputError;
 use model_spec::compose::Instrument;
 
-/// Standard gravity, the unit `g` of accelerometers, m/s².
-const STANDARD_GRAVITY: f64 = 9.80665;
-
 const LENGTHS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 const TIMES: [&str; 2] = ["s", "ms"];
 const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
 /// Units of the readings of gyroscopes, with their values in rad/s; the first is that of a dataset.
 pub const ANGULAR_RATES: [(&str, f64); 3] =
     [("rad/s", 1.0), ("deg/s", PI / 180.0), ("rpm", PI / 30.0)];
-const ACCELERATIONS: [&str; 2] = ["m/s^2", "g"];
+/// Units of the readings of accelerometers, with their values in m/s²; the first is that of a dataset.
+pub const ACCELERATIONS: [(&str, f64); 2] = [("m/s^2", 1.0), ("g", 9.80665)];
 const ATTITUDES: [&str; 2] = ["body_to_inertial", INVERSE];
 /// Value of the key `attitude` if quaternions turn inertial to body components.
 const INVERSE: &str = "inertial_to_body";
@@ -95,13 +93,15 @@ impl Recording {
         ];
         fields.keys(table, " in [recording]", &keys)?;
         let choice = |key, choices: &[&str]| choice(fields, table, key, choices);
-        if let Some(text) = choice("angular_rate", &ANGULAR_RATES.map(|(name, _)| name))? {
-            let known = ANGULAR_RATES.iter().find(|(name, _)| *name == text);
-            recording.angular_rate = known.map_or(1.0, |(_, unit)| *unit);
-        }
-        if let Some(text) = choice("acceleration", &ACCELERATIONS)? {
-            recording.acceleration = if text == "g" { STANDARD_GRAVITY } else { 1.0 };
-        }
+        let unit = |key, known: &[(&str, f64)]| {
+            let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+            let stated = choice(key, &names)?;
+            let mut known = known.iter();
+            let found = stated.and_then(|text| known.find(|(name, _)| *name == text));
+            Ok(found.map_or(1.0, |(_, unit)| *unit))
+        };
+        recording.angular_rate = unit("angular_rate", &ANGULAR_RATES)?;
+        recording.acceleration = unit("acceleration", &ACCELERATIONS)?;
         if let Some(text) = choice("attitude", &ATTITUDES)? {
             recording.inverse_attitude = text == INVERSE;
         }

@@ -9,7 +9,9 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
 use dataset::statistics::median_of;
-use dataset::{ANGULAR_RATES, Dataset, Flight, Reading, Sensor, SensorKind, attitude};
+use dataset::{
+    ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, Reading, Sensor, SensorKind, attitude,
+};
 
 /// Minimum number of samples at the limit, beyond the second number of times the longest run of another value: coarsely
 /// rounded readings repeat all their values.
@@ -25,6 +27,11 @@ const MIN_TURNING: f64 = 0.4;
 /// The angular momentum under another convention of quaternions must turn less, in squares: by this ratio, and by no more
 /// than this part of its own square, as moments turn some bodies.
 const STEADIER_BY: (f64, f64) = (4.0, 0.15);
+
+/// Least rotation over which forces on the body average out in it, rad, and least centripetal acceleration that tells the
+/// unit of an accelerometer, m/s².
+const MIN_TURNED: f64 = 20.0;
+const MIN_CENTRIPETAL: f64 = 10.0;
 
 /// Rotation between two compared angular momenta, rad: enough to see a direction that turns with the body.
 const COMPARED_ROTATION: f64 = 1.5;
@@ -42,9 +49,11 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
             SensorKind::Instrument(Instrument::Speed) | SensorKind::Summary(_) => None,
             SensorKind::Instrument(instrument) => {
                 faults.extend(saturated(dataset, (sensor, channel)));
-                let unit = (instrument == Instrument::Gyroscope).then(|| unit(dataset, channel));
-                unit.flatten()
-                    .map(|unit| (FaultKind::SensorUnit, unit_message(sensor, unit)))
+                let message = match instrument {
+                    Instrument::Gyroscope => unit_of_rates(dataset, (sensor, channel)),
+                    _ => unit_of_forces(dataset, (sensor, channel)),
+                };
+                message.map(|message| (FaultKind::SensorUnit, message))
             }
             SensorKind::Pose => inertia(problem)
                 .and_then(|inertia| {
@@ -124,15 +133,91 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
     faults
 }
 
-/// Unit of the recorded rates, if it is one of [`ANGULAR_RATES`] other than rad/s by the median of the flights that
-/// tell.
-fn unit(dataset: &Dataset, channel: usize) -> Option<&'static str> {
-    let flights = dataset.flights.iter();
-    let told = median_of(flights.filter_map(|flight| apparent_unit(flight, channel)))?;
+/// Unit of `known` that is nearest to the median of the units `apparent` in the flights that tell; `None` if that is the
+/// first one, or none is near.
+fn other_unit(
+    dataset: &Dataset,
+    known: &'static [(&'static str, f64)],
+    apparent: impl Fn(&Flight) -> Option<f64>,
+) -> Option<&'static str> {
+    let told = median_of(dataset.flights.iter().filter_map(apparent))?;
     let is_near = |unit: f64| (told / unit - 1.0).abs() < UNIT_ERROR;
-    let mut known = ANGULAR_RATES.into_iter();
-    let (name, unit) = known.find(|(_, unit)| is_near(*unit))?;
-    (unit != 1.0).then_some(name)
+    let (name, unit) = known.iter().find(|(_, unit)| is_near(*unit))?;
+    (*unit != known[0].1).then_some(*name)
+}
+
+/// Message and correction for rates in another unit than rad/s.
+fn unit_of_rates(
+    dataset: &Dataset,
+    (sensor, channel): (&Sensor, usize),
+) -> Option<(String, String)> {
+    let apparent = |flight: &Flight| apparent_unit(flight, channel);
+    let unit = other_unit(dataset, &ANGULAR_RATES, apparent)?;
+    Some((
+        format!(
+            "{} seems to be in {unit}: the readings follow the motion of the body only in this unit",
+            sensor.name
+        ),
+        format!("state `angular_rate = \"{unit}\"` in [recording], or write rad/s"),
+    ))
+}
+
+/// Message and correction for specific forces in another unit than m/s², by the rates of a gyroscope.
+fn unit_of_forces(
+    dataset: &Dataset,
+    (sensor, channel): (&Sensor, usize),
+) -> Option<(String, String)> {
+    let (gyroscope, rates) = gyroscope(dataset)?;
+    if sensor.position_is_unknown || unit_of_rates(dataset, (gyroscope, rates)).is_some() {
+        return None;
+    }
+    let place = Vector3::from(sensor.position);
+    let apparent = |flight: &Flight| apparent_unit_of_forces(flight, [channel, rates], place);
+    let unit = other_unit(dataset, &ACCELERATIONS, apparent)?;
+    Some((
+        format!(
+            "{} seems to be in {unit}: at its place the rates of {} let expect so many times its readings",
+            sensor.name, gyroscope.name
+        ),
+        format!("state `acceleration = \"{unit}\"` in [recording], or write m/s²"),
+    ))
+}
+
+/// The first gyroscope and its channel.
+fn gyroscope(dataset: &Dataset) -> Option<(&Sensor, usize)> {
+    let mut channel = 0;
+    for sensor in &dataset.sensors {
+        if sensor.kind == SensorKind::Instrument(Instrument::Gyroscope) {
+            return Some((sensor, channel));
+        }
+        channel += sensor.kind.channels().len();
+    }
+    None
+}
+
+/// Unit of the recorded specific forces, m/s²: the mean centripetal acceleration at `place`, across the mean axis of the
+/// spin, over their mean; forces on the body turn with it there, and have none. `None` if it turns too little.
+fn apparent_unit_of_forces(
+    flight: &Flight,
+    channels: [usize; 2],
+    place: Vector3<f64>,
+) -> Option<f64> {
+    let rows = flight.times.iter().zip(&flight.readings);
+    let samples = rows.filter_map(|(time, row)| {
+        let [force, rate] = channels.map(|own| row.get(own).copied().flatten());
+        let ([x, y, z, _], [p, q, r, _]) = (force?, rate?);
+        Some((*time, Vector3::new(x, y, z), Vector3::new(p, q, r)))
+    });
+    let samples: Vec<(f64, Vector3<f64>, Vector3<f64>)> = samples.collect();
+    let count = samples.len() as f64;
+    let rate = samples.iter().map(|own| own.2).sum::<Vector3<f64>>() / count;
+    let turned = rate.norm() * (samples.last()?.0 - samples[0].0);
+    let across = |vector: Vector3<f64>| vector - rate * (rate.dot(&vector) / rate.norm_squared());
+    let read = across(samples.iter().map(|own| own.1).sum::<Vector3<f64>>() / count);
+    let centripetal = samples.iter().map(|own| own.2.cross(&own.2.cross(&place)));
+    let expected = across(centripetal.sum::<Vector3<f64>>() / count);
+    let is_told = turned > MIN_TURNED && expected.norm() > MIN_CENTRIPETAL;
+    is_told.then(|| expected.norm_squared() / expected.dot(&read))
 }
 
 /// Unit of the recorded rates, rad/s: the rate at which their part across the mean turns, over their magnitude; `None`
@@ -161,16 +246,6 @@ fn apparent_unit(flight: &Flight, channel: usize) -> Option<f64> {
     }
     let interval = (rates.last()?.0 - rates[0].0) / (rates.len() - 1) as f64;
     Some(turned / interval / mean.norm())
-}
-
-fn unit_message(sensor: &Sensor, unit: &str) -> (String, String) {
-    (
-        format!(
-            "{} seems to be in {unit}: the readings follow the motion of the body only in this unit",
-            sensor.name
-        ),
-        format!("state `angular_rate = \"{unit}\"` in [recording], or write rad/s"),
-    )
 }
 
 /// Message and correction for another convention of quaternions; `None` if the angular momentum does not tell.
