@@ -56,6 +56,9 @@ def write_csv(file, lines):
         writer.writerow(head)
         for line in lines[2:]:
             row = cells(line)
+            # A text that was cut off may end within code.
+            if len(row) < len(head):
+                row = cells(line.replace("`", ""))
             last = len(head) - 1
             writer.writerow(row[:last] + [" | ".join(row[last:])])
 

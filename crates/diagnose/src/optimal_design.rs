@@ -1,13 +1,13 @@
 //! Discrimination (T-optimal) design: the throw that would best distinguish the accepted hypotheses.
 
 use flight::parallel;
-use flight::throw::{Motion, RPM, Throw};
+use flight::throw::{Motion, RPM, Throw, release_axes};
 use identify::{
     FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, RigidMotion, Unknowns,
     eliminate, linearise, pseudo_inverse, state_for_motion,
 };
 use model_spec::model::FlightAxes;
-use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, UnitQuaternion, Vector3};
+use nalgebra::{DMatrix, DVector, Rotation3, UnitQuaternion};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 use serde::{Deserialize, Serialize};
@@ -267,10 +267,9 @@ fn rigid_motion(throw: &Throw, has_attitude: bool, axes: FlightAxes) -> RigidMot
         velocity,
         turning,
     } = throw.motion([0.0; 2], has_attitude, axes.is_along());
-    let release = axes.release().map(|own| Vector3::from(own.vector()));
-    let release = Matrix3::from_columns(&release);
     let attitude = turning.as_ref().map(|turning| {
-        let rotation = Rotation3::from_matrix_unchecked(turning.axes * release.transpose());
+        let rotation =
+            Rotation3::from_matrix_unchecked(turning.axes * release_axes(axes).transpose());
         UnitQuaternion::from_rotation_matrix(&rotation)
     });
     RigidMotion {

@@ -142,20 +142,6 @@ impl BoundConstraints<'_> {
         (deviations, by_state)
     }
 
-    /// Takes from derivatives by the states the part along each quaternion, whose length is not to change.
-    fn keep_lengths(&self, by_state: &mut DMatrix<f64>, state: &[f64]) {
-        for quaternion in &self.constraints.quaternions {
-            let own = quaternion.map(|k| state[k]);
-            let square: f64 = own.iter().map(|q| q * q).sum();
-            for mut row in by_state.row_iter_mut() {
-                let along: f64 = quaternion.iter().zip(own).map(|(&k, q)| row[k] * q).sum();
-                for (&k, q) in quaternion.iter().zip(&own) {
-                    row[k] -= along / square * q;
-                }
-            }
-        }
-    }
-
     /// Moves a state to where the constraints hold, by the shortest steps of Newton's method along the columns of
     /// `directions`; without these, along all states. Returns whether it has moved; where the steps do not end, the state
     /// stays.
@@ -169,7 +155,7 @@ impl BoundConstraints<'_> {
         let mut has_moved = false;
         for _ in 0..MAX_STEPS {
             let (deviations, mut by_state) = self.deviations(t, &moved);
-            self.keep_lengths(&mut by_state, &moved);
+            take_lengths(&mut by_state, &moved, &self.constraints.quaternions);
             let along = match directions {
                 Some(directions) => by_state * directions,
                 None => by_state,
@@ -199,5 +185,20 @@ impl BoundConstraints<'_> {
             has_moved = true;
         }
         false
+    }
+}
+
+/// Takes from derivatives by the states, a row for each function of them, the part along each of `quaternions`, whose
+/// length is not to change.
+pub fn take_lengths(by_state: &mut DMatrix<f64>, state: &[f64], quaternions: &[[usize; 4]]) {
+    for quaternion in quaternions {
+        let own = quaternion.map(|k| state[k]);
+        let square: f64 = own.iter().map(|q| q * q).sum();
+        for mut row in by_state.row_iter_mut() {
+            let along: f64 = quaternion.iter().zip(own).map(|(&k, q)| row[k] * q).sum();
+            for (&k, q) in quaternion.iter().zip(&own) {
+                row[k] -= along / square * q;
+            }
+        }
     }
 }

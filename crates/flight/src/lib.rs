@@ -53,7 +53,7 @@ pub mod wind;
 
 pub use bound_model::BoundModel;
 pub use compiled_model::{CompiledModel, ModelState};
-pub use constraints::{BoundConstraints, Constraints};
+pub use constraints::{BoundConstraints, Constraints, take_lengths};
 pub use functions::{EvaluationPoint, ModelFunctions, SparsityPatterns, Workspace};
 pub use inputs::{FlightParameters, InputInterpolation, InputSeries, InputsOverTime, read_inputs};
 pub use lane_model::LaneModel;

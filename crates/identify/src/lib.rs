@@ -69,6 +69,6 @@ pub use error::{DataFault, FaultKind};
 // Least squares over many flights.
 pub use least_squares::{
     Constraint, FailedFlight, Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, Solution,
-    SolveError, StopReason, StoppingCriteria, UndeterminedFlight, Unknowns, eliminate,
+    SolveError, StopReason, StoppingCriteria, UndeterminedFlight, Unknowns, add_priors, eliminate,
     pseudo_inverse, solve, solve_with_watchdog,
 };

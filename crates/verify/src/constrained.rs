@@ -1,5 +1,6 @@
 //! Points at which the constraints of a model's blocks `solve { … }` hold.
 
+use flight::take_lengths;
 use model_spec::model::{Expr, Model};
 use nalgebra::{DMatrix, DVector};
 use oracle::scalar::Dual;
@@ -17,40 +18,31 @@ pub(crate) fn project(model: &Model, point: &mut Point<f64>) {
     if constraints.is_empty() {
         return;
     }
+    let quaternions: Vec<[usize; 4]> = model.quaternions().collect();
     for _ in 0..MAX_STEPS {
-        let (deviations, by_states) = linearized(model, &constraints, point);
+        let (deviations, mut by_states) = linearized(model, &constraints, point);
         // Along the sphere of each quaternion, whose length the constraints may depend on.
-        let mut by_states = by_states;
-        for quaternion in model.quaternions() {
-            across(&mut by_states, quaternion, &point.states);
-        }
+        take_lengths(&mut by_states, &point.states, &quaternions);
         let step = by_states.svd(true, true).solve(&deviations, 1e-12);
         let Ok(step) = step else { return };
         let size = DVector::from_column_slice(&point.states).norm();
         for (state, change) in point.states.iter_mut().zip(&step) {
             *state -= change;
         }
-        for quaternion in model.quaternions() {
-            let squares = quaternion.map(|state| point.states[state].powi(2));
-            let length = squares.iter().sum::<f64>().sqrt();
-            for state in quaternion {
-                point.states[state] /= length;
-            }
-        }
+        normalize(model, point);
         if step.norm() <= SMALL * size {
             return;
         }
     }
 }
 
-/// Takes from derivatives by the states the part along a quaternion.
-fn across(by_states: &mut DMatrix<f64>, quaternion: [usize; 4], states: &[f64]) {
-    let own = quaternion.map(|state| states[state]);
-    let square: f64 = own.iter().map(|q| q * q).sum();
-    for mut row in by_states.row_iter_mut() {
-        let along: f64 = quaternion.iter().zip(own).map(|(&k, q)| row[k] * q).sum();
-        for (&k, q) in quaternion.iter().zip(&own) {
-            row[k] -= along / square * q;
+/// Scales the attitude quaternions of a point to norm 1.
+pub(crate) fn normalize(model: &Model, point: &mut Point<f64>) {
+    for quaternion in model.quaternions() {
+        let squares = quaternion.iter().map(|&i| point.states[i].powi(2));
+        let length = squares.sum::<f64>().sqrt();
+        for i in quaternion {
+            point.states[i] /= length;
         }
     }
 }

@@ -211,13 +211,7 @@ fn ahead(model: &Model, point: &mut Point<f64>, random: &mut Random) {
 
 /// Scales the attitude quaternions of a point to norm 1, and moves it to where the constraints of the model hold.
 fn normalize(model: &Model, point: &mut Point<f64>) {
-    for quaternion in model.quaternions() {
-        let squares = quaternion.iter().map(|&i| point.states[i].powi(2));
-        let length = squares.sum::<f64>().sqrt();
-        for i in quaternion {
-            point.states[i] /= length;
-        }
-    }
+    constrained::normalize(model, point);
     constrained::project(model, point);
 }
 

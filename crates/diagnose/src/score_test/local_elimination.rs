@@ -1,6 +1,6 @@
 //! Elimination of each flight's local parameters from its normal equations.
 
-use identify::{LocalId, NormalBlock, eliminate};
+use identify::{LocalId, NormalBlock, add_priors, eliminate};
 use model_spec::index::IndexVec;
 use nalgebra::{DMatrix, DVector};
 
@@ -45,12 +45,8 @@ impl GlobalEquations {
     /// Adds the priors of the global parameters, linearized at `values`.
     pub fn with_priors(&self, model: &ScoreTestModel<'_>, values: &DVector<f64>) -> Self {
         let mut sum = self.clone();
-        for (i, global) in model.problem.globals.iter().enumerate() {
-            if let Some((centre, sigma)) = global.constraint.prior {
-                sum.matrix[(i, i)] += sigma.powi(-2);
-                sum.gradient[i] += (values[i] - centre) / (sigma * sigma);
-            }
-        }
+        let constraints = model.problem.globals.iter().map(|own| &own.constraint);
+        add_priors((&mut sum.matrix, &mut sum.gradient), values, constraints);
         sum
     }
 }

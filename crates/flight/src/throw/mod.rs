@@ -21,7 +21,7 @@ use motion::spin_axis;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 pub use flown::FlownThrow;
-pub use motion::{BoundMotion, Motion, ThrownModel, Turning, speed_and_spin};
+pub use motion::{BoundMotion, Motion, ThrownModel, Turning, release_axes, speed_and_spin};
 pub use near::NearThrows;
 pub use observed::MotionVector;
 

@@ -5,7 +5,9 @@ use std::cell::RefCell;
 use std::f64::consts::TAU;
 
 use codegen::compile::Selection;
-use model_spec::model::{AuxVariable, ClaimedAttitude, Expr, ExprKind, Model, Observation, Shape};
+use model_spec::model::{
+    AuxVariable, ClaimedAttitude, Expr, ExprKind, FlightAxes, Model, Observation, Shape,
+};
 use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
@@ -42,6 +44,11 @@ impl Turning {
     pub fn axis(&self) -> Vector3<f64> {
         spin_axis(&self.axes, self.is_along)
     }
+}
+
+/// Axes of [`Turning::axes`], as columns, in the frame that is fixed in the body.
+pub fn release_axes(axes: FlightAxes) -> Matrix3<f64> {
+    Matrix3::from_columns(&axes.release().map(|own| Vector3::from(own.vector())))
 }
 
 /// See [`Turning::axis`].
@@ -115,7 +122,6 @@ impl ThrownModel {
             .flight_axes()
             .map_or_else(Default::default, |own| own.1);
         let is_along = axes.is_along();
-        let release = axes.release().map(|own| Vector3::from(own.vector()));
         let mut own = model.clone();
         // The motion at an instant depends on neither loads nor the observation.
         own.forces.clear();
@@ -135,7 +141,7 @@ impl ThrownModel {
             compiled: CompiledModel::compiled_for(&own, &Selection::Only(Vec::new())),
             has_attitude: vectors.len() == VECTORS,
             is_along,
-            release_axes: Matrix3::from_columns(&release),
+            release_axes: release_axes(axes),
             fixed_axes: match is_revolution(model) {
                 true => vec![if is_along { 0 } else { 2 }],
                 false => vec![0, 1, 2],

@@ -103,8 +103,7 @@ fn mean(flights: &[Vec<Sum>], noise: f64) -> Option<(f64, f64)> {
     let variance = |sums: &[Sum]| {
         let number = sums.iter().filter(|sum| sum.count > 0.0).count() as f64;
         let scatter = sums.iter().map(|own| (own.sum - own.count * mean).powi(2));
-        let is_scattered = number > 1.0;
-        is_scattered.then(|| scatter.sum::<f64>() / total.count.powi(2) * number / (number - 1.0))
+        (number > 1.0).then(|| scatter.sum::<f64>() / total.count.powi(2) * number / (number - 1.0))
     };
     let of_flights = variance(&flights).unwrap_or(0.0);
     let of_noise = 2.0 * noise * noise / total.count;

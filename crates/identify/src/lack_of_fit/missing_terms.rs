@@ -13,7 +13,9 @@ use statrs::statistics::Statistics;
 use super::{FittedFlight, INTEGRATION_ERROR};
 use crate::error::FitError;
 use crate::fit::{Fit, flight_error};
-use crate::least_squares::{NormalBlock, SchurComplement, TestedParameters, pseudo_inverse};
+use crate::least_squares::{
+    NormalBlock, SchurComplement, TestedParameters, add_priors, pseudo_inverse,
+};
 use crate::predict::{Target, linearise_with_terms, targets};
 use crate::report::MissingTerm;
 
@@ -62,7 +64,7 @@ impl MissingTerm {
         let quantities = quantities(fit, flights);
         let targets = targets(problem, first.observed, fit.global());
         let reduced = parallel::each_on(threads, flights.len(), |index| {
-            reduce(fit, &flights[index], &targets, &weights(&quantities, index))
+            reduce(fit, &flights[index], &targets, (&quantities, index))
         });
         let reduced: Vec<Option<Reduced>> = reduced.into_iter().collect::<Result<_, _>>()?;
         let reduced: Vec<Reduced> = reduced.into_iter().flatten().collect();
@@ -93,30 +95,26 @@ impl MissingTerm {
     }
 }
 
-/// Functions of time that are added, one per column: 1, then the quantities.
-fn weights(quantities: &[Quantity], flight: usize) -> DMatrix<f64> {
-    let samples = quantities.first().map_or(0, |own| own.values[flight].len());
-    DMatrix::from_fn(samples, 1 + quantities.len(), |sample, k| match k {
-        0 => 1.0,
-        k => quantities[k - 1].values[flight][sample],
-    })
-}
-
-/// Normal equations of a flight without its local parameters; `None` if its initial state is not free.
+/// Normal equations without its local parameters of a flight, whose values of the quantities have an index; `None` if its
+/// initial state is not free.
 fn reduce(
     fit: &Fit,
     flight: &FittedFlight<'_>,
     targets: &[Target],
-    weights: &DMatrix<f64>,
+    (quantities, index): (&[Quantity], usize),
 ) -> Result<Option<Reduced>, FitError> {
     let Some((observed, local)) = fit.flight(flight.id) else {
         return Ok(None);
     };
-    if weights.nrows() != observed.times.len() {
-        return Ok(None);
-    }
+    // Functions of time that are added, one per column: 1, then the quantities.
+    let functions = 1 + quantities.len();
+    let weights = DMatrix::from_fn(observed.times.len(), functions, |sample, k| match k {
+        0 => 1.0,
+        k => quantities[k - 1].values[index][sample],
+    });
     let (problem, unknowns) = (fit.problem(), (fit.global(), local));
-    let found = linearise_with_terms(problem, observed, unknowns, fit.noise(), (targets, weights));
+    let terms = (targets, &weights);
+    let found = linearise_with_terms(problem, observed, unknowns, fit.noise(), terms);
     let found = found.map_err(|reason| flight_error(observed, reason))?;
     Ok(found.and_then(|(block, tested): (NormalBlock, _)| {
         let without = SchurComplement::new(&block, 0.0)?;
@@ -153,12 +151,8 @@ fn most_significant(
         tested.score += &flight.tested.score;
         tested.information += &flight.tested.information;
     }
-    for (i, global) in fit.problem().globals.iter().enumerate() {
-        if let Some((mean, sigma)) = global.constraint.prior {
-            constants[(i, i)] += sigma.powi(-2);
-            gradient[i] += (fit.global()[i] - mean) / (sigma * sigma);
-        }
-    }
+    let constraints = fit.problem().globals.iter().map(|own| &own.constraint);
+    add_priors((&mut constants, &mut gradient), fit.global(), constraints);
     let through = pseudo_inverse(&constants)? * &tested.by_global;
     let mut found = Found {
         chi2: 0.0,

@@ -3,7 +3,6 @@
 //! noise.
 
 mod banded;
-
 mod input_noise;
 mod missing_terms;
 mod noise_floor;

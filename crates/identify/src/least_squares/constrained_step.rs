@@ -4,6 +4,20 @@ use nalgebra::{DMatrix, DVector};
 
 use super::scaled_cholesky::ScaledCholesky;
 
+/// Adds the priors of parameters with the given values to JᵀJ and the gradient Jᵀr.
+pub fn add_priors<'c>(
+    (matrix, gradient): (&mut DMatrix<f64>, &mut DVector<f64>),
+    values: &DVector<f64>,
+    constraints: impl IntoIterator<Item = &'c Constraint>,
+) {
+    for (i, constraint) in constraints.into_iter().enumerate() {
+        if let Some((mean, sigma)) = constraint.prior {
+            matrix[(i, i)] += sigma.powi(-2);
+            gradient[i] += (values[i] - mean) / (sigma * sigma);
+        }
+    }
+}
+
 /// Step of the global parameters that minimises the quadratic model of the sum of squares plus the priors, within the
 /// bounds. Active-set method: a parameter that would cross a bound is set to it, and the others step again. Returns the
 /// step and the decrease of the priors' squares; `None` if the matrix is singular.
@@ -16,12 +30,7 @@ pub fn constrained_step(
 ) -> Option<(DVector<f64>, f64)> {
     let size = values.len();
     let (mut matrix, mut gradient) = (reduced.clone(), gradient.clone());
-    for (i, constraint) in constraints.iter().enumerate() {
-        if let Some((mean, sigma)) = constraint.prior {
-            matrix[(i, i)] += sigma.powi(-2);
-            gradient[i] += (values[i] - mean) / (sigma * sigma);
-        }
-    }
+    add_priors((&mut matrix, &mut gradient), values, constraints);
     let mut step = DVector::zeros(size);
     let mut active: Vec<bool> = (0..size)
         .map(|i| {

@@ -8,7 +8,7 @@ mod normal_equations;
 mod problem;
 mod scaled_cholesky;
 
-pub use constrained_step::{Constraint, constrained_step};
+pub use constrained_step::{Constraint, add_priors, constrained_step};
 pub(crate) use gram_accumulator::GramAccumulator;
 pub use levenberg_marquardt::{Solution, solve, solve_after, solve_with_watchdog};
 pub use normal_equations::{NormalBlock, ReducedSystem, UndeterminedFlight, eliminate};

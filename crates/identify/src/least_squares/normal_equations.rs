@@ -85,7 +85,7 @@ impl NormalBlock {
 /// by the unknowns and with the residual.
 #[derive(Clone, Debug)]
 pub(crate) struct TestedParameters {
-    /// Local parameters × tested parameters.
+    /// Local parameters × tested parameters; none once they are eliminated.
     pub by_local: DMatrix<f64>,
     /// Global parameters × tested parameters.
     pub by_global: DMatrix<f64>,
@@ -132,7 +132,7 @@ impl SchurComplement {
         for (k, own) in tested.information.iter_mut().enumerate() {
             *own -= through.column(k).dot(&tested.by_local.column(k));
         }
-        tested.by_local.fill(0.0);
+        tested.by_local = DMatrix::zeros(0, tested.score.len());
         tested
     }
 }

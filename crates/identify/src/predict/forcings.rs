@@ -91,19 +91,19 @@ pub(crate) fn linearise_with_terms(
         tolerance: problem.tolerance * problem.sigma0 * observations.tolerance_factor,
         with_outliers: false,
     };
-    let order = columns.local_then_parameters();
     let (mut rows, mut trajectory) = (Vec::new(), None);
-    let layout = pass.each_point(&mut motion, &columns, Some(&mut trajectory), |point| {
-        let in_order = |row: &Vec<f64>| order.iter().map(|&column| row[column]).collect();
-        rows.push(Row {
-            channel: point.channel,
-            sample: point.sample,
-            residual: point.residual,
-            derivatives: [0, 1, 2].map(|axis| in_order(&point.rows[axis])),
-        });
-    })?;
+    let layout =
+        pass.each_residual(&mut motion, &columns, Some(&mut trajectory), &mut |point| {
+            rows.push(Row {
+                channel: point.channel,
+                sample: point.sample,
+                residual: point.residual,
+                derivatives: point.rows.clone(),
+            });
+        })?;
     let trajectory = trajectory.unwrap_or_default();
-    let (locals, unknowns) = (order.len() - parameters.len(), order.len());
+    let locals = observations.manifold.dimension();
+    let unknowns = locals + parameters.len();
     let mut terms = Terms::new(problem, &motion, (targets, weights), locals);
     let tested = targets.len() * weights.ncols();
     let accumulator =
@@ -114,8 +114,7 @@ pub(crate) fn linearise_with_terms(
     let mut rows = rows.iter().peekable();
     for (sample, &time) in observations.times.iter().enumerate() {
         let augmented = &trajectory[sample * size..][..size];
-        let by_local = columns.of_states(layout, augmented);
-        let by_local = by_local.columns(0, locals).into_owned();
+        let by_local = columns.states_by_local(layout, augmented);
         let state = layout.state(augmented);
         let tangent = observations.manifold.tangent(state);
         if !terms.advance(&mut motion, (sample, time, state), &by_local, &tangent) {

@@ -76,12 +76,11 @@ impl<'p> JacobianColumns<'p> {
         local.chain(self.parameter_columns()).collect()
     }
 
-    /// Derivatives of the states, row by row: by the local parameters, then by the global ones.
-    pub fn of_states(&self, layout: SensitivityLayout, augmented: &[f64]) -> DMatrix<f64> {
-        let order = self.local_then_parameters();
-        DMatrix::from_fn(self.constant.len(), order.len(), |state, k| {
-            let column = order[k];
-            match column < self.integrated + self.parameters.len() {
+    /// Derivatives of the states by the local parameters (states × local parameters).
+    pub fn states_by_local(&self, layout: SensitivityLayout, augmented: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_fn(self.constant.len(), self.local.len(), |state, k| {
+            let column = self.local[k];
+            match column < self.integrated {
                 true => layout.padded_row(augmented, state)[column],
                 false => f64::from(u8::from(self.constant[state] == Some(column))),
             }

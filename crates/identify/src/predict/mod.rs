@@ -119,21 +119,7 @@ pub fn each_residual(
         tolerance: RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor,
         with_outliers: true,
     };
-    let order = columns.local_then_parameters();
-    let mut rows = [0; 3].map(|_| vec![0.0; order.len()]);
-    pass.each_point(motion, &columns, None, |point| {
-        for (to, from) in rows.iter_mut().zip(point.rows.iter()) {
-            for (to, &column) in to.iter_mut().zip(&order) {
-                *to = from[column];
-            }
-        }
-        each(PointResidual {
-            channel: point.channel,
-            sample: point.sample,
-            residual: point.residual,
-            rows: &rows,
-        });
-    })?;
+    pass.each_residual(motion, &columns, None, each)?;
     Ok(())
 }
 

@@ -9,7 +9,7 @@ use ode::{DifferentiableRhs, Sensitivities, SensitivityLayout};
 
 use super::jacobian_columns::JacobianColumns;
 use super::observed_point::{ObservedPoint, Residuals, integration_options};
-use super::summary_pass;
+use super::{PointResidual, summary_pass};
 use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
@@ -114,6 +114,31 @@ impl TrajectoryPass<'_> {
             }
         }
         Ok(places)
+    }
+
+    /// As [`each_point`](Self::each_point), with the derivatives by the local parameters first, then by the selected ones.
+    pub fn each_residual(
+        &self,
+        motion: &mut dyn DifferentiableRhs,
+        columns: &JacobianColumns<'_>,
+        cache: Option<&mut Option<Vec<f64>>>,
+        each: &mut dyn FnMut(PointResidual<'_>),
+    ) -> Result<SensitivityLayout, FlightError> {
+        let order = columns.local_then_parameters();
+        let mut rows = [0; 3].map(|_| vec![0.0; order.len()]);
+        self.each_point(motion, columns, cache, |point| {
+            for (to, from) in rows.iter_mut().zip(point.rows.iter()) {
+                for (to, &column) in to.iter_mut().zip(&order) {
+                    *to = from[column];
+                }
+            }
+            each(PointResidual {
+                channel: point.channel,
+                sample: point.sample,
+                residual: point.residual,
+                rows: &rows,
+            });
+        })
     }
 
     fn measured(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {

@@ -133,15 +133,15 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
     faults
 }
 
-/// Unit of `known` that is nearest to the median of the units `apparent` in the flights that tell; `None` if that is the
-/// first one, or none is near.
+/// Unit of `known` that is near the median of the `apparent` units of the flights that determine it; `None` if that is
+/// the first one, or none is near.
 fn other_unit(
     dataset: &Dataset,
     known: &'static [(&'static str, f64)],
     apparent: impl Fn(&Flight) -> Option<f64>,
 ) -> Option<&'static str> {
-    let told = median_of(dataset.flights.iter().filter_map(apparent))?;
-    let is_near = |unit: f64| (told / unit - 1.0).abs() < UNIT_ERROR;
+    let found = median_of(dataset.flights.iter().filter_map(apparent))?;
+    let is_near = |unit: f64| (found / unit - 1.0).abs() < UNIT_ERROR;
     let (name, unit) = known.iter().find(|(_, unit)| is_near(*unit))?;
     (*unit != known[0].1).then_some(*name)
 }
@@ -176,7 +176,7 @@ fn unit_of_forces(
     let unit = other_unit(dataset, &ACCELERATIONS, apparent)?;
     Some((
         format!(
-            "{} seems to be in {unit}: at its place the rates of {} let expect so many times its readings",
+            "{} seems to be in {unit}: only in this unit do the readings show the centripetal acceleration that the rates of {} give at its place",
             sensor.name, gyroscope.name
         ),
         format!("state `acceleration = \"{unit}\"` in [recording], or write m/s²"),
@@ -216,8 +216,8 @@ fn apparent_unit_of_forces(
     let read = across(samples.iter().map(|own| own.1).sum::<Vector3<f64>>() / count);
     let centripetal = samples.iter().map(|own| own.2.cross(&own.2.cross(&place)));
     let expected = across(centripetal.sum::<Vector3<f64>>() / count);
-    let is_told = turned > MIN_TURNED && expected.norm() > MIN_CENTRIPETAL;
-    is_told.then(|| expected.norm_squared() / expected.dot(&read))
+    let is_determined = turned > MIN_TURNED && expected.norm() > MIN_CENTRIPETAL;
+    is_determined.then(|| expected.norm_squared() / expected.dot(&read))
 }
 
 /// Unit of the recorded rates, rad/s: the rate at which their part across the mean turns, over their magnitude; `None`
