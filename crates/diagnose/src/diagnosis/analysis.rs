@@ -193,7 +193,7 @@ impl<'a> Analysis<'a> {
         }
         report::describe_departures(&mut report);
         report::withdraw_by_excess(&mut report, self.before.report.excess.as_ref());
-        report::withdraw_by_conflicts(&mut report, &self.before.report.conflicts());
+        report::withdraw_by_doubts(&mut report, &self.before.report);
         let is_out_of_time = context.is_out_of_time();
         if is_out_of_time || (self.model.is_exhausted() && self.search.accepted.is_empty()) {
             report::note_incomplete(&mut report, is_out_of_time);

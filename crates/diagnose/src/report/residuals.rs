@@ -1,7 +1,9 @@
 //! The lack-of-fit test in the report, what withdraws a verdict, and whether a diagnosis is reliable.
 
 use identify::numbers::{percent, quantity, significant};
-use identify::{Fit, LackOfFit, SmoothMisfit, convergence_caution, exclusion_caution, input_noise};
+use identify::{
+    Fit, FitReport, LackOfFit, SmoothMisfit, convergence_caution, exclusion_caution, input_noise,
+};
 
 use super::types::{Explanation, Report, Unattributed, Verdict, Verified};
 use crate::context::display_name;
@@ -79,17 +81,21 @@ pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
     )));
 }
 
-/// Withdraws the verdict where the data contradict what the user states: the effect may stand in for it.
-pub(crate) fn withdraw_by_conflicts(report: &mut Report, conflicts: &[String]) {
-    if conflicts.is_empty() || !matches!(report.verdict, Verdict::Identified | Verdict::Ambiguous) {
+/// Withdraws the verdict where the data contradict what the user states, most flights could not be used, or recorded inputs
+/// are too noisy: the effect may stand in for it.
+pub(crate) fn withdraw_by_doubts(report: &mut Report, before: &FitReport) {
+    let mut doubts = before.conflicts();
+    doubts.extend(exclusion_caution(before));
+    doubts.extend(input_noise(before));
+    if doubts.is_empty() || !matches!(report.verdict, Verdict::Identified | Verdict::Ambiguous) {
         return;
     }
     report.verdict = Verdict::Unattributed;
     let explanations = report.explanations.iter();
     let names: Vec<String> = explanations.map(Explanation::name).collect();
     report.unattributed = Some(Unattributed::described(format!(
-        "The data contradict what is stated, before an effect is missing: {}. Correct it first; {} may stand in for it.",
-        conflicts.join("; "),
+        "The data are in doubt, before an effect is missing: {}. Correct that first; {} may stand in for it.",
+        doubts.join("; "),
         names.join(", ")
     )));
 }
