@@ -6,6 +6,9 @@ use crate::suggest;
 /// Maximum number of errors shown, and for which suggestions are searched.
 pub(crate) const MAX_SHOWN: usize = 50;
 
+/// Maximum number of names in one sentence.
+const MAX_LISTED: usize = 8;
+
 /// Category of an error in a model file, such as a syntax error or a unit error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
@@ -156,5 +159,26 @@ impl Diagnostic {
             Some(near) => self.suggest(near),
             None => self,
         }
+    }
+}
+
+/// Names in a sentence, each quoted: "`a`, `b` and `c`".
+pub(crate) fn listed(names: &[impl AsRef<str>]) -> String {
+    let quoted: Vec<String> = names
+        .iter()
+        .take(MAX_LISTED)
+        .map(|n| format!("`{}`", n.as_ref()))
+        .collect();
+    if names.len() > MAX_LISTED {
+        return format!(
+            "{} and {} more",
+            quoted.join(", "),
+            names.len() - MAX_LISTED
+        );
+    }
+    match quoted.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
+        None => String::new(),
     }
 }

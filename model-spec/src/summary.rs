@@ -6,6 +6,8 @@ use crate::model::{
     Continuation, EffectUnknown, ExprKind, Function, Interpolation, Load, Model, Parameter, Table,
     ValidityLimit,
 };
+use crate::syntax::ast::{BodyClass, ItemKind, LoadClass};
+use crate::syntax::of_kind;
 use std::fmt::Write;
 
 /// Summary of a model as text: states, parameters with units, forces, validity limits, singular points, effects.
@@ -141,6 +143,25 @@ fn equations(out: &mut String, model: &Model) -> std::fmt::Result {
             writeln!(out, "  force    {force}")?;
             if let Some(rotation) = &claim.rotation {
                 writeln!(out, "  moment   {}", model.text(rotation.moment.span))?;
+            }
+        }
+    }
+    for body in of_kind!(model.tree.items.iter(), ItemKind::Body).skip(1) {
+        let name = &body.name.text;
+        writeln!(out, "\n{} {name}", kind(body.class == BodyClass::Rigid))?;
+        for class in [LoadClass::Force, LoadClass::Moment] {
+            let loads = of_kind!(model.tree.items.iter(), ItemKind::Load);
+            let own = loads.filter(|load| {
+                load.class == class && load.on.as_ref().is_some_and(|on| on.text == *name)
+            });
+            let names: Vec<&str> = own.map(|load| load.name.text.as_str()).collect();
+            if !names.is_empty() {
+                writeln!(
+                    out,
+                    "  {:<8} {}",
+                    format!("{}s", class.keyword()),
+                    names.join(", ")
+                )?;
             }
         }
     }

@@ -13,7 +13,7 @@ use flight::release::{BUILT_IN, Release, Stop, Vocabulary, quaternion_fault, rea
 use flight::throw::{FlownThrow, Throw};
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::load::load;
-use model_spec::model::Model;
+use model_spec::model::{Body, Model};
 use ode::{IntegrationOptions, Trajectory};
 use report::Units;
 use report::figures::{StateLabel, flight as picture};
@@ -50,7 +50,8 @@ pub(super) fn run(options: &Simulate) -> anyhow::Result<Answer> {
         return launches::run(options, &rows, (&model, &body, &release), out.as_ref());
     }
     let first = rows.first().map(|row| row.throw);
-    let bare = options.release.is_none().then(|| Throw::at_speed(0.0));
+    let is_thrown = options.throw.given().next().is_some();
+    let bare = (options.release.is_none() && is_thrown).then(|| Throw::at_speed(0.0));
     throws::apply(
         &options.throw,
         options.units,
@@ -142,9 +143,15 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         ),
         (None, Some(name)) => {
             let model = load(name, &super::names(&options.with))?;
-            // Equations stated outright also state where they start.
+            // Equations stated outright also state where they start, and a body may.
+            let is_at_rest = |body: &Body| {
+                let mut velocity = body.velocity.iter();
+                velocity.all(|state| model.states[*state].value == 0.0)
+            };
             ensure!(
-                is_thrown || model.body.is_none() || !options.set.is_empty(),
+                is_thrown
+                    || !model.body.as_ref().is_some_and(is_at_rest)
+                    || !options.set.is_empty(),
                 "no release of {name}: state one by --release, a throw by --speed or --techdisc, or initial states by --set"
             );
             let release = throws::at_defaults(name, &model);

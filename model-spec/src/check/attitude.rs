@@ -1,10 +1,9 @@
 //! Checks of a body's inertia tensor and of the chain of frames that describes its attitude.
 
 use super::Checker;
-use super::body::Parts;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{BodyAxis, Expr, ExprKind, FlightAxes, FrameKind};
-use crate::syntax::ast;
+use crate::syntax::{Parts, ast};
 
 impl Checker<'_> {
     /// Axes in flight of a body in which a frame is fixed, by what its block states; `None`, with an error reported, if
@@ -125,8 +124,15 @@ impl Checker<'_> {
             self.report(Diagnostic::new(Kind::Frame, place, message));
             return;
         }
+        // Frames that are turned by declared states have equations of their own.
+        let is_stated = |i: &usize| match self.model.frames[*i].kind {
+            FrameKind::Turned { angle, .. } => angle >= self.of_body,
+            FrameKind::Quaternion { states, .. } => states[0] >= self.of_body,
+            _ => false,
+        };
         let mut frames = 1..self.model.frames.len();
-        if let Some(loose) = frames.find(|i| !chain.contains(i) && !is_fixed(i)) {
+        let is_loose = |i: &usize| !chain.contains(i) && !is_fixed(i) && !is_stated(i);
+        if let Some(loose) = frames.find(is_loose) {
             let message = format!(
                 "nothing determines how the frame {} moves: it does not lie between {} and the body's frame {}",
                 name(loose),
@@ -154,7 +160,7 @@ impl Checker<'_> {
                         );
                         self.report(Diagnostic::new(Kind::Missing, fixed, message).help(help));
                     }
-                    (Some((_, frame)), Some((_, written))) if frame != body_frame => {
+                    (Some((_, frame)), Some((_, written, _))) if frame != body_frame => {
                         let message = format!(
                             "the angular velocity must be given in the body's own frame {}",
                             name(body_frame)
@@ -173,7 +179,7 @@ impl Checker<'_> {
                     let second = chain[usize::from(a == b)];
                     let place = self.model.frames[second].span;
                     self.report(Diagnostic::new(Kind::Frame, place, message).help(help));
-                } else if let Some((names, _)) = parts.angular {
+                } else if let Some((names, ..)) = parts.angular {
                     let message = "where the attitude is by angles their rates are states, and the angular velocity follows from them";
                     let fault = Diagnostic::new(Kind::Duplicate, names[0].span, message);
                     self.report(fault.help("remove `angular velocity`"));

@@ -1,38 +1,22 @@
 //! Semantic checks of the body: states, mass, inertia tensor.
 
+use std::collections::HashSet;
+
 use super::elaborate::node;
 use super::{Checker, Typed};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{self, Expr, ExprKind, FlightAxes, Shape};
-use crate::syntax::ast::{self, BodyClass, BodyPartKind, Name};
+use crate::syntax::ast::{self, BodyClass, InitialValues, ItemKind, Name};
+use crate::syntax::{Parts, of_kind};
 use crate::unit::Unit;
-
-/// Statements in the block of a body, each at most once.
-#[derive(Clone, Default)]
-pub(super) struct Parts<'a> {
-    mass: Option<&'a ast::Expr>,
-    inertia: Option<(&'a ast::Inertia, Span)>,
-    pub fixed: Option<&'a Name>,
-    position: Option<(&'a [Name; 3], &'a Name)>,
-    velocity: Option<(&'a [Name; 3], &'a Name)>,
-    pub angular: Option<(&'a [Name; 3], &'a Name)>,
-    angular_velocity_frame: Option<&'a Name>,
-    axis: Option<&'a ast::Expr>,
-    forward: Option<&'a ast::Expr>,
-}
 
 impl<'a> Checker<'a> {
     pub fn body_states(&mut self, body: &'a ast::Body) {
-        let parts = self.parts(body);
-        self.missing_parts(body, &parts);
+        let (parts, faults) = Parts::of(body);
+        faults.into_iter().for_each(|fault| self.report(fault));
         self.parts_of_body = parts.clone();
         let rigid = body.class == BodyClass::Rigid;
-        let triple = |c: &mut Self, names: &[Name; 3], unit| {
-            names
-                .each_ref()
-                .map(|n| c.state(&n.text, n.span, unit, 0.0))
-        };
-        let position = parts.position.map(|(names, frame)| {
+        let position = parts.position.map(|(names, frame, initial)| {
             if let Some(other) = self.frame_of(frame).filter(|&f| f != 0) {
                 let [first, other] = [0, other].map(|i| self.model.frames[i].name.clone());
                 let message = format!(
@@ -42,15 +26,28 @@ impl<'a> Checker<'a> {
                 let fault = fault.help(format!("write `in {first}`"));
                 self.report(fault.fix(frame.span, first));
             }
-            triple(self, names, Unit::METRE)
+            self.states_of_triple(names, initial, Unit::METRE)
         });
         let velocity = parts
             .velocity
-            .map(|(names, _)| triple(self, names, Unit::SPEED));
-        let velocity_frame = parts.velocity.and_then(|(_, frame)| self.frame_of(frame));
+            .map(|(names, _, initial)| self.states_of_triple(names, initial, Unit::SPEED));
+        let velocity_frame = parts
+            .velocity
+            .and_then(|(_, frame, _)| self.frame_of(frame));
 
+        // A frame that is turned by declared states is not of this body.
+        let stated: HashSet<&str> = of_kind!(self.file.items.iter(), ItemKind::State)
+            .map(|own| own.name.text.as_str())
+            .collect();
         let frames: Vec<&ast::Frame> = { self.declared_frames() }
-            .filter(|frame| frame.kind != ast::FrameKind::Inertial)
+            .filter(|frame| match &frame.kind {
+                ast::FrameKind::Inertial => false,
+                ast::FrameKind::Fixed { .. } => true,
+                ast::FrameKind::Turned { angle, .. } => !stated.contains(angle.text.as_str()),
+                ast::FrameKind::Quaternion { states, .. } => {
+                    !stated.contains(states[0].text.as_str())
+                }
+            })
             .collect();
         for frame in frames.iter().filter(|_| rigid) {
             match &frame.kind {
@@ -75,8 +72,8 @@ impl<'a> Checker<'a> {
         }
         let angular = parts
             .angular
-            .map(|(names, _)| triple(self, names, Unit::RATE));
-        let angular_frame = parts.angular.and_then(|(_, frame)| self.frame_of(frame));
+            .map(|(names, _, initial)| self.states_of_triple(names, initial, Unit::RATE));
+        let angular_frame = parts.angular.and_then(|(_, frame, _)| self.frame_of(frame));
 
         let rotation = if rigid {
             let body_frame = parts.fixed.and_then(|f| self.frame_of(f));
@@ -135,66 +132,36 @@ impl<'a> Checker<'a> {
         });
     }
 
-    fn parts(&mut self, body: &'a ast::Body) -> Parts<'a> {
-        let mut parts = Parts::default();
-        let mut seen: Vec<(&str, Span)> = Vec::new();
-        for part in &body.parts {
-            let word = part.words;
-            if let Some(&(_, first)) = seen.iter().find(|s| s.0 == word) {
-                self.second(word, first, part.span);
-                continue;
-            }
-            seen.push((word, part.span));
-            let turning = !matches!(word, "mass" | "position" | "velocity");
-            if turning && body.class == BodyClass::Point {
-                let message = format!("a point has no `{word}`");
-                let fault = Diagnostic::new(Kind::Shape, part.span, message);
-                self.report(fault.help("declare it as `body`, not as `point`, if it turns"));
-                continue;
-            }
-            match (word, &part.kind) {
-                ("axis", BodyPartKind::Value(axis)) => parts.axis = Some(axis),
-                ("forward", BodyPartKind::Value(axis)) => parts.forward = Some(axis),
-                (_, BodyPartKind::Value(mass)) => parts.mass = Some(mass),
-                (_, BodyPartKind::Inertia(own)) => parts.inertia = Some((own, part.span)),
-                ("fixed in", BodyPartKind::Frame(frame)) => parts.fixed = Some(frame),
-                (_, BodyPartKind::Frame(frame)) => parts.angular_velocity_frame = Some(frame),
-                (_, BodyPartKind::States(names, frame)) => {
-                    let own = match word {
-                        "position" => &mut parts.position,
-                        "velocity" => &mut parts.velocity,
-                        _ => &mut parts.angular,
-                    };
-                    *own = Some((names, frame));
-                }
-            }
-        }
-        parts
+    /// Declares the states of a vector with their defaults, and returns their indices.
+    fn states_of_triple(
+        &mut self,
+        names: &[Name; 3],
+        initial: Option<&InitialValues>,
+        unit: Unit,
+    ) -> [usize; 3] {
+        let values = initial.map_or([0.0; 3], |initial| self.initial_values(initial, unit));
+        let mut values = values.into_iter();
+        names.each_ref().map(|name| {
+            let value = values.next().unwrap_or_default();
+            self.state(&name.text, name.span, unit, value)
+        })
     }
 
-    fn missing_parts(&mut self, body: &ast::Body, parts: &Parts<'_>) {
-        let rigid = body.class == BodyClass::Rigid;
-        let inertia = "inertia diag(…, …, …) in …;";
-        let needed = [
-            ("mass …;", parts.mass.is_none()),
-            (inertia, rigid && parts.inertia.is_none()),
-            ("fixed in …;", rigid && parts.fixed.is_none()),
-            ("position (x, y, z) in N;", parts.position.is_none()),
-            ("velocity (u, v, w) in …;", parts.velocity.is_none()),
-        ];
-        self.lacking("the body", "the body", &body.name, &needed);
-    }
-
-    /// Reports missing statements of the block `name`, which `what` precedes in the message; `owner` is to have them.
-    pub fn lacking(&mut self, what: &str, owner: &str, name: &Name, needed: &[(&str, bool)]) {
-        let missing: Vec<&str> = needed.iter().filter(|n| n.1).map(|n| n.0).collect();
-        if missing.is_empty() {
-            return;
+    /// SI values of the defaults of states, which must be in `unit`.
+    fn initial_values(&mut self, initial: &InitialValues, unit: Unit) -> [f64; 3] {
+        let Some(measure) = self.measure_or_one(initial.unit.as_ref()) else {
+            return [0.0; 3];
+        };
+        let values = initial.values.each_ref().map(|own| measure.of(own).0);
+        if !measure.unit.agrees(unit) && (initial.unit.is_some() || values != [0.0; 3]) {
+            let message = format!(
+                "these initial values must be in {}, but they are in {}",
+                unit.explained(),
+                measure.unit.explained()
+            );
+            self.report(Diagnostic::new(Kind::Unit, initial.span, message));
         }
-        let lacks = super::scope::listed(&missing);
-        let message = format!("{what} `{}` lacks {lacks}", name.text);
-        let fault = Diagnostic::new(Kind::Missing, name.span, message);
-        self.report(fault.help(format!("add what is missing to the block of {owner}")));
+        values
     }
 
     /// Checks the mass, inertia tensor and attitude of the declared body; all names must have been declared before.

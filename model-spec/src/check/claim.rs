@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::layout::depends;
 use crate::model::{self, ClaimedAttitude, ClaimedRotation, Expr, ExprKind};
 use crate::syntax::ast::{self, BodyClass, BodyPart, BodyPartKind, ItemKind};
-use crate::syntax::of_kind;
+use crate::syntax::{lacking, of_kind};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
@@ -61,7 +61,8 @@ impl<'a> Checker<'a> {
             ("angular velocity …;", rigid && !has("angular velocity")),
             ("moment …;", rigid && !has("moment")),
         ];
-        self.lacking("the claim of", "the claim", &claim.name, &needed);
+        let fault = lacking("the claim of", "the claim", &claim.name, &needed);
+        fault.into_iter().for_each(|fault| self.report(fault));
         self.diagnostics.len() == before
     }
 

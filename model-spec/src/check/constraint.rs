@@ -59,7 +59,7 @@ impl<'a> Checker<'a> {
         let per_time = |power: i32| Unit::SECOND.checked_pow_half(-2 * power);
         let reason = format!(
             "the constraint \"{}\" is violated",
-            text.trim_end_matches(';')
+            text.trim_start_matches("constraint ").trim_end_matches(';')
         );
         let reduced = orders.len() as i32 - 1;
         for (order, own) in orders.iter().take(orders.len() - 1).enumerate() {

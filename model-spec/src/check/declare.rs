@@ -7,7 +7,7 @@ use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model;
 use crate::syntax::ast::{self, Item, ItemKind, Name, ParameterClass, UnitExpr};
-use crate::syntax::of_kind;
+use crate::syntax::{of_kind, stated_twice};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
@@ -81,12 +81,7 @@ impl<'a> Checker<'a> {
     }
 
     pub fn second(&mut self, what: &str, first: Span, again: Span) {
-        self.report(
-            Diagnostic::new(Kind::Duplicate, again, format!("`{what}` is stated twice"))
-                .label(first, "first stated here")
-                .label(again, "stated again here")
-                .help("keep one of them"),
-        );
+        self.report(stated_twice(what, first, again));
     }
 
     /// Declared unit with its factor, and as a term; `true` if it is a new unknown, for `[?]` or an invalid unit.
@@ -239,12 +234,6 @@ impl<'a> Checker<'a> {
         let file = self.file;
         let bodies: Vec<&ast::Body> = of_kind!(file.items.iter(), ItemKind::Body).collect();
         let stated: Vec<&ast::State> = of_kind!(file.items.iter(), ItemKind::State).collect();
-        if let [first, second, ..] = bodies[..] {
-            let (a, b) = (first.name.span, second.name.span);
-            let message = "a model has one body, but here is a second";
-            let fault = Diagnostic::new(Kind::Duplicate, b, message);
-            self.report(fault.label(a, "the first").label(b, "the second"));
-        }
         if let Some(body) = bodies.first() {
             self.body_states(body);
             self.of_body = self.model.states.len();

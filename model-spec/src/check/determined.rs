@@ -21,7 +21,7 @@ impl Checker<'_> {
         let unknowns = &system.unknowns;
         let listed = || {
             let names: Vec<&str> = unknowns.iter().map(|own| &*own.name).collect();
-            super::scope::listed(&names)
+            crate::diagnostic::listed(&names)
         };
         if rows != unknowns.len() {
             let counted = |count: usize, what: &str| {
@@ -56,7 +56,7 @@ impl Checker<'_> {
             let message = format!(
                 "the equations of {} do not determine {}",
                 system.title,
-                super::scope::listed(&names)
+                crate::diagnostic::listed(&names)
             );
             let occurs = row_unknowns.iter().any(|row| row.contains(&first));
             let fault = Diagnostic::new(Kind::Value, system.span, message);

@@ -148,6 +148,8 @@ impl<'a> Checker<'a> {
             vec![None; self.model.states.len()];
         for item in &file.items {
             match &item.kind {
+                // The equations of further bodies are stated.
+                ItemKind::Load(load) if load.on.is_some() && !self.file.is_of_first_body(load) => {}
                 ItemKind::Load(load) => {
                     let key = (load.class == LoadClass::Force, load.name.text.as_str());
                     if let Some(&first) = loads.get(&key) {
@@ -180,7 +182,7 @@ impl<'a> Checker<'a> {
                 "has no equation"
             };
             let names: Vec<&str> = missing.iter().map(|state| state.name.as_str()).collect();
-            let message = format!("{} {have}", super::scope::listed(&names));
+            let message = format!("{} {have}", crate::diagnostic::listed(&names));
             let fault = Diagnostic::new(Kind::Missing, first.span, message);
             let fault = fault.help(format!("state `der({}) = …;`", first.name));
             self.report(fault);

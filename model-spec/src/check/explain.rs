@@ -73,7 +73,7 @@ impl Checker<'_> {
                     .collect();
                 let verb = if group.len() > 1 { "are" } else { "is" };
                 let what = self.described_as(&term_of(&terms[group[0]]), group.len() > 1);
-                format!("{} {verb} {what}", super::scope::listed(&names))
+                format!("{} {verb} {what}", crate::diagnostic::listed(&names))
             })
             .collect();
         let sides = sides.join(if sides.len() == 2 { ", but " } else { "; " });

@@ -39,8 +39,7 @@ use std::sync::Arc;
 
 use crate::diagnostic::{self, Diagnostic, Kind, Span};
 use crate::model::{self, Model, Source};
-use crate::syntax::{ast, expand};
-use body::Parts;
+use crate::syntax::{Parts, ast, expand};
 use function::FunctionFaults;
 use rates::{Dependence, StateSets};
 use scope::Scope;

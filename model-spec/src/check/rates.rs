@@ -36,6 +36,13 @@ impl States {
         }
     }
 
+    /// Adds states; returns whether there were new ones.
+    fn grow(&mut self, more: &States) -> bool {
+        let before = *self;
+        self.merge(more);
+        *self != before
+    }
+
     /// The states, in order.
     pub fn iter(self) -> impl Iterator<Item = usize> {
         (0..MAX_STATES).filter(move |state| self.0[state / 64] >> (state % 64) & 1 == 1)
@@ -86,15 +93,12 @@ impl Checker<'_> {
                     ItemKind::Let(own) => {
                         let found = self.states_in(&own.value, &sets);
                         let set = sets.lets.entry(own.name.text.clone()).or_default();
-                        has_changed |= found != *set;
-                        *set = found;
+                        has_changed |= set.grow(&found);
                     }
                     ItemKind::Equation(own) => {
                         let found = self.states_in(&own.value, &sets);
                         if let Some(Symbol::State(state)) = self.scope.find(&own.state.text) {
-                            let set = sets.rates.entry(state).or_default();
-                            has_changed |= found != *set;
-                            *set = found;
+                            has_changed |= sets.rates.entry(state).or_default().grow(&found);
                         }
                     }
                     _ => {}

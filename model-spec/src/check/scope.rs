@@ -176,8 +176,8 @@ impl Checker<'_> {
         let names: Vec<&str> = self.model.frames.iter().map(|f| f.name.as_str()).collect();
         let note = match names.len() {
             0 => "no frame is declared; the first is `frame N;`".to_owned(),
-            1 => format!("the only frame is {}", listed(&names)),
-            _ => format!("the frames are {}", listed(&names)),
+            1 => format!("the only frame is {}", crate::diagnostic::listed(&names)),
+            _ => format!("the frames are {}", crate::diagnostic::listed(&names)),
         };
         let message = format!("there is no frame `{name}`");
         let fault = Diagnostic::new(Kind::Name, span, message).did_you_mean(name, names);
@@ -200,26 +200,4 @@ fn declared_twice(what: &str, first: Span, again: Span) -> Diagnostic {
         .label(first, "first declared here")
         .label(again, "declared again here")
         .help("rename one of them, or remove it")
-}
-
-const MAX_LISTED: usize = 8;
-
-pub(super) fn listed(names: &[impl AsRef<str>]) -> String {
-    let quoted: Vec<String> = names
-        .iter()
-        .take(MAX_LISTED)
-        .map(|n| format!("`{}`", n.as_ref()))
-        .collect();
-    if names.len() > MAX_LISTED {
-        return format!(
-            "{} and {} more",
-            quoted.join(", "),
-            names.len() - MAX_LISTED
-        );
-    }
-    match quoted.split_last() {
-        Some((last, [])) => last.clone(),
-        Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
-        None => String::new(),
-    }
 }

@@ -21,9 +21,14 @@ impl Change<'_> {
         let of_input = self.acting(item);
         let item = of_input.as_ref().unwrap_or(item);
         let (class, name) = item.kind.class_and_name();
+        let on = body_of(&self.file, item);
         let key = match class {
             "the clock" | "observation" => class.to_owned(),
             _ => format!("{class} `{}`", name.map_or("", |name| &name.text)),
+        };
+        let key = match on {
+            Some(body) => format!("{key} on `{body}`"),
+            None => key,
         };
         if matches!(item.kind, ItemKind::Clock(_)) {
             self.own_clock(item.span);
@@ -32,7 +37,8 @@ impl Change<'_> {
         let is_any = class == "observation" && name.is_some_and(|name| name.text.is_empty());
         let found = self.file.items.iter().position(|old| {
             let (of, own) = old.kind.class_and_name();
-            of == class && (is_any || own.map(|n| &n.text) == name.map(|n| &n.text))
+            let is_same = own.map(|n| &n.text) == name.map(|n| &n.text);
+            of == class && (is_any || is_same && body_of(&self.file, old) == on)
         });
         let span = name.map_or(item.span, |name| name.span);
         let Some(at) = found else {
@@ -227,6 +233,16 @@ impl Change<'_> {
             kind: BodyPartKind::Inertia(inertia),
             span,
         };
+    }
+}
+
+/// Name of the body after the first one on which a load acts.
+fn body_of<'i>(file: &File, item: &'i Item) -> Option<&'i str> {
+    match &item.kind {
+        ItemKind::Load(load) if !file.is_of_first_body(load) => {
+            load.on.as_ref().map(|body| body.text.as_str())
+        }
+        _ => None,
     }
 }
 

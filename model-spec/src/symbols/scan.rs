@@ -267,13 +267,15 @@ impl<'a> Scanner<'a> {
             "let" => self.named(at + 1, end, SymbolKind::Quantity, quantity),
             "marker" => self.named(at + 1, end, SymbolKind::Marker, quantity),
             "observe" => self.named(at + 1, end, SymbolKind::Observation, quantity),
-            "force" | "moment" if matches!(self.text(at + 2), "=" | "[") || at + 2 >= end => {
+            "force" | "moment"
+                if matches!(self.text(at + 2), "=" | "[" | "on") || at + 2 >= end =>
+            {
                 let kind = if word == "force" {
                     SymbolKind::Force
                 } else {
                     SymbolKind::Moment
                 };
-                self.named(at + 1, end, kind, false);
+                self.load(at + 1, end, kind);
             }
             "solve" => self.declare(at + 1, SymbolKind::Solve),
             "unknown" if self.is_in("solve") => {
@@ -290,7 +292,12 @@ impl<'a> Scanner<'a> {
                 self.labels(at + 2..end);
             }
             "table" | "function" => self.callable(at, end),
-            "position" | "velocity" | "angular" if self.is_in("body") => self.states(at + 1..end),
+            "position" | "velocity" | "angular" if self.is_in("body") => {
+                let tokens = at + 1..end;
+                let defaults = { tokens.clone() }.find(|at| self.text(*at) == "=");
+                self.states(at + 1..defaults.unwrap_or(end));
+                self.expression(defaults.unwrap_or(end)..end, true);
+            }
             "replace" => self.replace(at + 1, end),
             "needs" => self.needs(at + 1..end),
             "reference" | "site" | "variables" | "generalises" => self.labels(at + 1..end),
@@ -318,6 +325,19 @@ impl<'a> Scanner<'a> {
         let is_weak = kind == SymbolKind::Observation;
         self.declare_in(at, kind, self.scope..usize::MAX, is_weak);
         self.expression(at + 1..end, quantity);
+    }
+
+    /// A force or moment, with the body on which it acts.
+    fn load(&mut self, at: usize, end: usize, kind: SymbolKind) {
+        self.declare(at, kind);
+        let mut tokens = (at + 1..end).take_while(|at| self.text(*at) != "=");
+        let Some(on) = tokens.find(|at| self.text(*at) == "on") else {
+            return self.expression(at + 1..end, false);
+        };
+        self.expression(at + 1..on, false);
+        self.keyword(on);
+        self.word(on + 1, Found::Name(Namespace::Other));
+        self.expression(on + 2..end, false);
     }
 
     /// Words that are no names of the text: models, sites, kinds of variables.

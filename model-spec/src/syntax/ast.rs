@@ -10,7 +10,7 @@ use crate::location::Span;
 use crate::unit::Unit;
 pub use blocks::{
     Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Continuation, Effect, EffectPart,
-    Inertia, Interpolation, Need, Table,
+    Inertia, InitialValues, Interpolation, Need, Table,
 };
 pub use functions::{
     Array, Ascription, Expanded, Function, FunctionParameter, Index, Template, Type,
@@ -358,6 +358,8 @@ pub struct Load {
     pub class: LoadClass,
     /// Name of the force or moment.
     pub name: Name,
+    /// Body on which it acts; `None` for the first body.
+    pub on: Option<Name>,
     /// Vector expression of the load, N or N m.
     pub value: Expr,
 }

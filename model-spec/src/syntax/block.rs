@@ -2,7 +2,7 @@
 
 use super::ast::{
     Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Continuation, Expr, Inertia,
-    Interpolation, ItemKind, Name, Quantity, Table,
+    InitialValues, Interpolation, ItemKind, Name, Quantity, Table,
 };
 use super::parser::{Parser, Read};
 use super::token::Token;
@@ -66,13 +66,27 @@ impl Parser<'_> {
                     } else {
                         "the components"
                     };
-                    (words, BodyPartKind::States(names, self.in_frame(after)?))
+                    let frame = self.in_frame(after)?;
+                    (
+                        words,
+                        BodyPartKind::States(names, frame, self.initial_values()?),
+                    )
                 }
             }
         };
         self.semicolon("this statement")?;
         let span = start.to(self.behind());
         Ok(BodyPart { words, kind, span })
+    }
+
+    fn initial_values(&mut self) -> Read<Option<Box<InitialValues>>> {
+        if !self.eat(Token::Sign("=")) {
+            return Ok(None);
+        }
+        let start = self.here();
+        let (values, unit) = (self.triple_of_numbers()?, self.optional_unit()?);
+        let span = start.to(self.behind());
+        Ok(Some(Box::new(InitialValues { values, unit, span })))
     }
 
     /// Parses a block in which `let` defines quantities of the model.
@@ -219,8 +233,17 @@ impl Display for BodyPart {
         match &self.kind {
             BodyPartKind::Inertia(inertia) => write!(f, "{inertia}"),
             BodyPartKind::Frame(frame) => f.write_str(&frame.text),
-            BodyPartKind::States([a, b, c], frame) => {
-                write!(f, "({}, {}, {}) in {}", a.text, b.text, c.text, frame.text)
+            BodyPartKind::States([a, b, c], frame, initial) => {
+                write!(f, "({}, {}, {}) in {}", a.text, b.text, c.text, frame.text)?;
+                let Some(initial) = initial else {
+                    return Ok(());
+                };
+                let [x, y, z] = &initial.values;
+                write!(f, " = ({}, {}, {})", x.text, y.text, z.text)?;
+                initial
+                    .unit
+                    .iter()
+                    .try_for_each(|unit| write!(f, " {unit}"))
             }
             BodyPartKind::Value(e) => write!(f, "{e}"),
         }

@@ -4,6 +4,7 @@
 
 pub mod ast;
 mod block;
+mod body_parts;
 mod effect;
 pub(crate) mod expand;
 mod expr;
@@ -20,6 +21,7 @@ mod statement;
 pub(crate) mod token;
 mod walk;
 
+pub(crate) use body_parts::{Parts, lacking, stated_twice};
 pub(crate) use walk::of_kind;
 
 pub(crate) use expr::MAX_HEIGHT;

@@ -135,7 +135,9 @@ fn write_kind(f: &mut Formatter<'_>, kind: &ItemKind, of: &Elements) -> Result {
         }
         ItemKind::Load(l) => {
             let (word, name) = (l.class.keyword(), &l.name.text);
-            write!(f, "{word} {name}{subscripts}{indices} = {};", l.value)
+            write!(f, "{word} {name}{subscripts}")?;
+            { l.on.iter() }.try_for_each(|body| write!(f, " on {}", body.text))?;
+            write!(f, "{indices} = {};", l.value)
         }
         ItemKind::Equation(e) => {
             write!(

@@ -388,9 +388,19 @@ impl Parser<'_> {
         } else {
             LoadClass::Moment
         };
-        let (subscripts, indices) = (self.subscripts()?, self.indices()?);
+        let subscripts = self.subscripts()?;
+        let on = match self.eat_word("on") {
+            true => Some(self.name("the name of a body after `on`")?),
+            false => None,
+        };
+        let indices = self.indices()?;
         let value = self.definition(&name.text, &format!("this `{word}`"))?;
-        let load = ItemKind::Load(Load { class, name, value });
+        let load = ItemKind::Load(Load {
+            class,
+            name,
+            on,
+            value,
+        });
         self.array(subscripts, indices, Vec::new(), load)
     }
 

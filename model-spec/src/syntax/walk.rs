@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use super::ast::{
     Array, Balance, Body, BodyPart, BodyPartKind, Effect, Equation, Expr, ExprKind, File, Frame,
-    FrameKind, Function, ImplicitEquation, ItemKind, Let, Limit, Load, Name, Observe, Parameter,
-    Solve, State,
+    FrameKind, Function, ImplicitEquation, Item, ItemKind, Let, Limit, Load, Name, Observe,
+    Parameter, Solve, State,
 };
 
 /// Iterates over the contents of the statements of one kind.
@@ -28,6 +28,23 @@ impl File {
     /// The first rigid body or point mass that the file declares; `None` if it declares none.
     pub(crate) fn body(&self) -> Option<&Body> {
         of_kind!(self.items.iter(), ItemKind::Body).next()
+    }
+
+    /// Whether a load acts on the first body, or on nothing as there is none.
+    pub fn is_of_first_body(&self, load: &Load) -> bool {
+        match (&load.on, self.body()) {
+            (Some(on), Some(body)) => on.text == body.name.text,
+            _ => true,
+        }
+    }
+
+    /// Whether a statement is that of a further body or of a load on it, beside which its equations are written out.
+    pub fn is_written_out(&self, item: &Item) -> bool {
+        match &item.kind {
+            ItemKind::Body(body) => self.body().is_some_and(|first| first.name != body.name),
+            ItemKind::Load(load) => !self.is_of_first_body(load),
+            _ => false,
+        }
     }
 
     /// The frames that the file declares, in order.
@@ -66,7 +83,7 @@ impl File {
                 },
                 ItemKind::Body(body) => {
                     for part in &body.parts {
-                        if let BodyPartKind::States(states, _) = &part.kind {
+                        if let BodyPartKind::States(states, ..) = &part.kind {
                             names.extend(states.each_ref().map(|state| state.text.clone()));
                         }
                     }

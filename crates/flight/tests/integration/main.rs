@@ -5,6 +5,7 @@ mod inputs;
 mod lanes;
 mod near_throws;
 mod release;
+mod several_bodies;
 mod singular_points;
 mod solved;
 mod table;

@@ -184,6 +184,7 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
         }
     };
     let items = file.items.iter();
+    let items = items.filter(|item| !file.is_written_out(item));
     items.filter_map(|item| Some((key(item)?, item))).collect()
 }
 

@@ -114,6 +114,9 @@ pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
     let angles: Vec<Name> = angles.collect();
     let mut out = Vec::new();
     for (index, item) in file.items.iter().enumerate() {
+        if file.is_written_out(item) {
+            continue;
+        }
         let place = statement::name(item);
         for change in statement::changes(item, &names, &angles) {
             let mut file = file.clone();

@@ -192,11 +192,11 @@ fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPart, names: &Names
                 });
             }
         }
-        BodyPartKind::States(states, _) => {
+        BodyPartKind::States(states, ..) => {
             for (i, j) in [(0, 1), (1, 2)] {
                 let how = format!("{what}: {} and {} swapped", states[i].text, states[j].text);
                 push(Operator::Axis, how, &|part| {
-                    if let BodyPartKind::States(states, _) = &mut part.kind {
+                    if let BodyPartKind::States(states, ..) = &mut part.kind {
                         states.swap(i, j);
                     }
                 });
@@ -211,7 +211,7 @@ fn frame_of_part(part: &mut BodyPart) -> Option<(&'static str, &mut Name)> {
     let frame = match &mut part.kind {
         BodyPartKind::Value(_) => return None,
         BodyPartKind::Inertia(inertia) => &mut inertia.frame,
-        BodyPartKind::Frame(frame) | BodyPartKind::States(_, frame) => frame,
+        BodyPartKind::Frame(frame) | BodyPartKind::States(_, frame, _) => frame,
     };
     Some((part.words.trim_end_matches(" in"), frame))
 }

@@ -188,7 +188,7 @@ fn right_models_of_the_gallery_hold_and_wrong_ones_are_refuted_by_their_balances
         ),
         ("euler_disc", "contact × in_B(R)", "-contact × in_B(R)"),
         ("tethered_kite", "= drag + lift", "= 1.1*drag + lift"),
-        ("parachute_payload", "+ T/L*line;", "+ 1.1*T/L*line;"),
+        ("parachute_payload", "= T*unit(line)", "= 1.1*T*unit(line)"),
     ];
     for (name, from, to) in wrong {
         let text = gallery(name);

@@ -51,10 +51,22 @@ pub enum BodyPartKind {
     Inertia(Box<Inertia>),
     /// Frame fixed in the body, or of the components of `angular_velocity`.
     Frame(Name),
-    /// Names of the states of a declared body, and the frame of their components: `position (x, y, z) in FRAME;`
-    States([Name; 3], Name),
+    /// Names of the states of a declared body, the frame of their components, and their defaults:
+    /// `position (x, y, z) in FRAME = (0, 0, 2) m;`
+    States([Name; 3], Name, Option<Box<InitialValues>>),
     /// Mass, axis, or quantity of a claimed body.
     Value(Expr),
+}
+
+/// Default initial values of three states.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InitialValues {
+    /// The numbers, in [`InitialValues::unit`].
+    pub values: [Number; 3],
+    /// Unit of the numbers; `None` if none is written.
+    pub unit: Option<UnitExpr>,
+    /// Source span of the numbers with their unit.
+    pub span: Span,
 }
 
 impl BodyPart {

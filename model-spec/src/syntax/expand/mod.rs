@@ -1,9 +1,11 @@
-//! Expansion of functions and arrays on the syntax tree, after which a model has neither calls of functions nor indices.
+//! Expansion of functions, arrays and further bodies on the syntax tree, after which a model has neither calls of functions
+//! nor indices, and one body.
 //!
 //! An element `r[3]` becomes the quantity `r_3`. A call becomes the result of its function, with a `let` for each
 //! argument and each `let` of the body; their names contain `__`. Functions themselves stay, so that they are checked
 //! and effects may call them.
 
+mod bodies;
 mod inline;
 mod unroll;
 
@@ -37,6 +39,9 @@ pub(crate) fn expand(file: &mut File) -> Vec<Diagnostic> {
         faults = inliner.finish();
         if let Some(items) = inlined {
             file.items = items;
+        }
+        if faults.is_empty() {
+            faults = bodies::write_out(file);
         }
     }
     faults.extend(budget.fault);
@@ -81,9 +86,9 @@ fn written_out(item: Item) -> Item {
     }
 }
 
-/// Whether a file has arrays, elements or sums, which only [`expand`] writes out.
+/// Whether a file has arrays, elements, sums or further bodies, which only [`expand`] writes out.
 pub(crate) fn is_needed(file: &File) -> bool {
-    file.items.iter().any(|item| has_indices(&item.kind))
+    file.items.iter().any(|item| has_indices(&item.kind)) || bodies::is_needed(file)
 }
 
 fn has_indices(kind: &ItemKind) -> bool {
