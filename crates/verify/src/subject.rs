@@ -154,9 +154,14 @@ impl<'a> Subject<'a> {
         for (index, value) in coefficients {
             point.coefficients[index] = value;
         }
-        for state in self.model.added_states() {
+        // Other bodies are no additions: they may hang on this one.
+        let of_others = self.model.states_of_further_bodies();
+        let mut added = self.model.added_states();
+        added.retain(|state| !of_others.contains(state));
+        for state in added {
             point.states[state] = self.model.states[state].value;
         }
+        crate::constrained::project(self.model, &mut point);
         point
     }
 }

@@ -2,6 +2,8 @@
 
 use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
 use crate::location::Span;
+use crate::syntax::ast::ItemKind;
+use crate::syntax::of_kind;
 use crate::unit::Unit;
 
 /// Function body of [`Expr::children`] and [`Expr::children_mut`].
@@ -223,6 +225,17 @@ impl Model {
         stated
             .filter(|state| self.body.is_some() || of_effects(state) || is_unknown(state))
             .collect()
+    }
+
+    /// States of the bodies after the first one, whose equations are written out.
+    pub fn states_of_further_bodies(&self) -> Vec<usize> {
+        let items = self.tree.items.iter().filter(|item| item.is_of_body());
+        let names: Vec<&str> = of_kind!(items, ItemKind::State)
+            .map(|own| own.name.text.as_str())
+            .collect();
+        let states = self.states.iter().enumerate();
+        let own = states.filter(|(_, state)| names.contains(&state.name.as_str()));
+        own.map(|(index, _)| index).collect()
     }
 
     /// Indices into [`Model::states`] of the angles: those by which frames are turned, then other states with the unit

@@ -71,6 +71,12 @@ impl Item {
         }
     }
 
+    /// Whether the statement was made for a body after the first one, and does not stand in the text.
+    pub fn is_of_body(&self) -> bool {
+        let written = self.expanded.as_ref().map(|own| &own.from.written.kind);
+        matches!(written, Some(ItemKind::Body(_))) && !matches!(self.kind, ItemKind::Body(_))
+    }
+
     /// Whether the statement is an auxiliary variable of a function that a call has added.
     pub fn is_of_call(&self) -> bool {
         self.expanded.as_ref().is_some_and(|own| own.call.is_some())

@@ -16,27 +16,15 @@ use std::sync::Arc;
 
 /// Whether bodies after the first one are not written out yet.
 pub(super) fn is_needed(file: &File) -> bool {
-    let others = of_kind!(file.items.iter(), ItemKind::Body).skip(1).count();
-    let mut written: Vec<&str> = Vec::new();
-    for name in file.items.iter().filter_map(made_for) {
-        if !written.contains(&name) {
-            written.push(name);
-        }
-    }
-    others > written.len()
-}
-
-/// Name of the body for which a statement was made; `None` for one of the text.
-fn made_for(item: &Item) -> Option<&str> {
-    match &item.expanded.as_ref()?.from.written.kind {
-        ItemKind::Body(body) if !matches!(item.kind, ItemKind::Body(_)) => Some(&body.name.text),
-        _ => None,
-    }
+    let bodies = file.items.iter().enumerate();
+    let mut bodies = bodies.filter(|(_, item)| matches!(item.kind, ItemKind::Body(_)));
+    bodies.next();
+    bodies.any(|(at, _)| !file.items.get(at + 1).is_some_and(Item::is_of_body))
 }
 
 /// Writes out the bodies after the first one, and returns the errors.
 pub(super) fn write_out(file: &mut File) -> Vec<Diagnostic> {
-    file.items.retain(|item| made_for(item).is_none());
+    file.items.retain(|item| !item.is_of_body());
     let bodies: Vec<Body> = of_kind!(file.items.iter(), ItemKind::Body)
         .cloned()
         .collect();
