@@ -274,7 +274,7 @@ pub enum FitError {
     },
     /// The body of the model rotates, but the markers do not determine its attitude.
     #[error(
-        "the model {model} turns, and {} do not show how: three are needed that are not in line",
+        "the model {model} turns, and {} do not show how: three are needed that are not in line, or two that are not on the axis if it is fixed",
         count(*markers, "marker")
     )]
     AttitudeNotObservable {

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::inputs;
-use crate::problem::{FitProblem, StatePrior};
+use crate::problem::{FitProblem, StatePrior, point_along};
 use crate::state_manifold::StateManifold;
 use dataset::pose::{Pose, pose};
 use dataset::statistics::median_of;
@@ -50,7 +50,7 @@ pub struct Observations {
     /// Number of points from which the pose is determined, as in [`FitProblem::markers`].
     pub markers: usize,
     /// `stand_ins[sample * markers + point]`, m: the markers, followed by body-fixed points whose positions are
-    /// computed from the pose that a sensor measures. Empty if all points are markers.
+    /// computed from the pose that a sensor measures or from the markers. Empty if all points are markers.
     pub stand_ins: Vec<Option<[f64; 3]>>,
     /// Parameters in the order of the compiled model, SI; global ones have their initial values.
     pub parameters: Vec<f64>,
@@ -354,7 +354,10 @@ fn stand_ins(
         .filter(|(_, channel)| channel.kind == ChannelKind::Position);
     let readings = flight.readings.get(sample);
     let seen = poses.filter_map(move |(index, _)| Some(points_seen(readings?.get(index..)?)));
-    let seen: Vec<_> = markers.chain(seen.flatten()).collect();
+    let mut seen: Vec<_> = markers.chain(seen.flatten()).collect();
+    if let Some(axis) = problem.added_along {
+        seen.push(point_along(axis, &seen));
+    }
     seen.into_iter()
 }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use flight::CompiledModel;
 use model_spec::compose::Instrument;
 use model_spec::layout::{Layout, ParamId, StateId};
-use model_spec::model::Model;
+use model_spec::model::{FrameKind, Model};
 use nalgebra::DVector;
 
 use crate::channel::{self, Channel, ChannelKind};
@@ -31,8 +31,11 @@ pub struct FitProblem {
     /// The compiled model, with its equations of motion and the measurement equation of a body-fixed point.
     pub body: Arc<CompiledModel>,
     /// Points of the pose in the frame in which markers are fixed, m: the markers; if they do not determine the
-    /// attitude, also body-fixed points whose positions are computed from the pose that a sensor measures.
+    /// attitude, also body-fixed points whose positions are computed from the pose that a sensor measures, or, for a body
+    /// that turns about one fixed axis, a point on the line through their centre along that axis.
     pub markers: Vec<[f64; 3]>,
+    /// Number of the fixed axis, from 0, along which a point is added to the markers.
+    pub(crate) added_along: Option<usize>,
     /// Measurement channels: the markers, then the channels of the sensors. Each channel has its own residuals.
     pub channels: Vec<Channel>,
     /// For each kind of instrument, the compiled model that observes the quantity it measures.
@@ -105,6 +108,30 @@ pub(crate) fn wide_deviation(unit: &str) -> f64 {
 /// Standard deviation of the prior of an unknown quantity, over the model's value of it.
 const WIDE: f64 = 10.0;
 
+/// Number, from 0, of the axis about which the frame of the markers turns, if it turns about one of the inertial frame only.
+fn fixed_axis(model: &Model) -> Option<usize> {
+    let frame = model.marker.as_ref()?.frame;
+    match model.frames[frame].kind {
+        FrameKind::Turned {
+            parent: 0, axis, ..
+        } => Some(usize::from(axis) - 1),
+        _ => None,
+    }
+}
+
+/// The point 1 m from the centre of `markers` along an axis; `None` if one of them is missing.
+pub(crate) fn point_along(axis: usize, markers: &[Option<[f64; 3]>]) -> Option<[f64; 3]> {
+    let mut centre = [0.0; 3];
+    for marker in markers {
+        let marker = (*marker)?;
+        for (sum, own) in centre.iter_mut().zip(marker) {
+            *sum += own / markers.len() as f64;
+        }
+    }
+    centre[axis] += 1.0;
+    Some(centre)
+}
+
 impl FitProblem {
     /// Compiles the model, with derivatives by the estimated parameters, for a dataset and options.
     ///
@@ -158,6 +185,12 @@ impl FitProblem {
             let poses = poses.filter(|sensor| sensor.kind == SensorKind::Pose);
             markers.extend(poses.flat_map(|sensor| points_on_body(sensor.position)));
         }
+        let added_along = fixed_axis(model).filter(|_| !pose::fix_attitude(&markers));
+        let added_along = added_along.filter(|_| channels.iter().all(Channel::is_marker));
+        if let Some(axis) = added_along {
+            let seen: Vec<_> = markers.iter().copied().map(Some).collect();
+            markers.extend(point_along(axis, &seen));
+        }
         let is_seen_by_instruments = markers.is_empty() && !instruments.is_empty();
         if !has_attitude
             && let Some(pose) = channels.iter().find(|c| c.kind == ChannelKind::Attitude)
@@ -171,7 +204,7 @@ impl FitProblem {
         if has_attitude && !is_seen && !pose::fix_attitude(&markers) {
             return Err(FitError::AttitudeNotObservable {
                 model: model.name.clone(),
-                markers: markers.len(),
+                markers: dataset.markers.len(),
             });
         }
         let (globals, fixed) =
@@ -188,6 +221,7 @@ impl FitProblem {
             model: Arc::new(model.clone()),
             body: Arc::new(body),
             markers,
+            added_along,
             channels,
             instruments,
             summary,

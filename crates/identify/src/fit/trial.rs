@@ -105,6 +105,10 @@ pub fn conflicts(
         let Some(free) = fit.and_then(|fit| fit.report.coefficients.get(name).cloned()) else {
             continue;
         };
+        // An estimate at a bound has no standard error: the data may tell nothing of it.
+        if free.at_bound {
+            continue;
+        }
         let error = free
             .std_error
             .max(free.std_error_cluster_robust.unwrap_or(0.0));

@@ -6,5 +6,6 @@ mod arrival;
 mod bootstrap;
 mod constrained;
 mod known_and_markers;
+mod planar;
 mod single_flights;
 mod summaries;

@@ -247,6 +247,24 @@ fn a_spin_that_is_unknown_in_most_flights_is_found_in_each() {
     assert!(text.contains("input omega in N"), "{text}");
 }
 
+/// Lift is by the product of coefficient and spin: the data cannot contradict a value of one alone.
+#[test]
+fn a_coefficient_that_nothing_tells_from_the_spin_may_be_held() {
+    let (model, mut dataset, _) = spinning();
+    dataset.unknown = vec!["omega".into()];
+    dataset
+        .flights
+        .iter_mut()
+        .for_each(|flight| flight.known.clear());
+    let options = FitOptions {
+        fixed: &[("C_Lw".into(), Some(0.6))],
+        ..FitOptions::default()
+    };
+    let found = fit(&model, &dataset, &options).expect("a fit");
+    let conflicts = found.report.conflicts();
+    assert!(conflicts.is_empty(), "{conflicts:?}");
+}
+
 #[test]
 fn a_spin_that_nothing_determines_is_said_to_be_so() {
     let (_, mut dataset, _) = spinning();
