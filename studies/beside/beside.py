@@ -166,6 +166,8 @@ def with_inputs(random, folder, is_planar):
         text, names, means, sizes = DRONE, ["throttle", "tilt"], [0.75, 0.0], [0.15, 0.25]
         truth = {"k": 8 * random.uniform(0.9, 1.15), "c": random.uniform(0.05, 0.2)}
     wrong = int(random.integers(2))
+    # The scale of a throttle is one with the coefficient of the thrust.
+    wrong = 1 if kind == "scale" and not is_planar else wrong
     size = {
         "delay": random.uniform(0.02, 0.06),
         "lag": random.uniform(0.02, 0.06),

@@ -99,6 +99,48 @@ fn the_drag_of_a_bob_on_a_rod_is_recovered() {
     }
 }
 
+/// A load on a line below a canopy, whose flights begin far from where the model does.
+#[test]
+fn the_drag_of_a_canopy_with_its_load_is_recovered() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/gallery/parachute_payload.hyz"
+    );
+    let text = std::fs::read_to_string(path).expect("a model");
+    let text = format!("{text}\nmarker mark in N;\nobserve mark = position + mark;\n");
+    let model = model_spec::load::from_text("drop.hyz", &text, &[]).expect("a model");
+    let releases = (0..4).map(|number| {
+        let far = 40.0 * f64::from(number) - 70.0;
+        let states = [("x", far), ("x_p", far + 3.6), ("y", -far), ("y_p", -far)];
+        let at = Release {
+            stop: Stop::Duration(2.5),
+            parameters: vec![("CDS_c".into(), 6.3)],
+            ..Release::of(&model)
+        };
+        states
+            .iter()
+            .fold(at, |at, own| at.with_initial(own.0, own.1))
+    });
+    let plan = Plan {
+        flights: 4,
+        rate: 60.0,
+        noise: Corruption {
+            sigma: 2e-3,
+            ..Corruption::default()
+        },
+        ..Plan::default()
+    };
+    let made = flights(&model, &releases.collect::<Vec<_>>(), &plan).expect("made");
+    let fitted = fit(&model, &made.dataset, &FitOptions::default()).expect("a fit");
+    let own = &fitted.report.coefficients["CDS_c"];
+    assert!(
+        (own.value - 6.3).abs() < 4.0 * own.std_error && own.std_error < 0.5,
+        "{own:?}"
+    );
+    let rms = fitted.report.rms();
+    assert!((rms / 2e-3 - 1.0).abs() < 0.15, "{rms}");
+}
+
 #[test]
 fn a_coefficient_in_a_constraint_is_refused() {
     let text = DECLARED.replace("param L = 1.2 m;", "coefficient L = 1.2 m in 0.1 .. 9;");
