@@ -35,7 +35,7 @@ pub struct FitProblem {
     /// that turns about one fixed axis, a point on the line through their centre along that axis.
     pub markers: Vec<[f64; 3]>,
     /// Number of the fixed axis, from 0, along which a point is added to the markers.
-    pub(crate) added_along: Option<usize>,
+    pub added_along: Option<usize>,
     /// Measurement channels: the markers, then the channels of the sensors. Each channel has its own residuals.
     pub channels: Vec<Channel>,
     /// For each kind of instrument, the compiled model that observes the quantity it measures.
