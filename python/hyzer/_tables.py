@@ -7,8 +7,6 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
-import numpy as np
-
 from hyzer import _hyzer, _toml
 from hyzer._errors import InputError
 
@@ -45,6 +43,9 @@ def text_of(file: str, frame: pd.DataFrame) -> str:
 
 def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, str]) -> str:
     """Return the text of the table of a flight from its arrays."""
+    # Most of the time of `import hyzer` would be that of NumPy.
+    import numpy as np
+
     columns: list[tuple[str, list[str], npt.ArrayLike]] = []
     for name, values in flight.items():
         # What belongs to no marker and no sensor is an input over time, if it is a series.

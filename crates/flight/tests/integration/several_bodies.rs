@@ -88,6 +88,25 @@ fn a_second_body_flies_as_it_does_alone() {
     }
 }
 
+/// More loads than a sum in a row may have operations.
+#[test]
+fn a_second_body_has_many_loads() {
+    let text = "model many; frame N;
+        point one { mass 1 kg; position (x, y, z) in N; velocity (u, v, w) in N; }
+        point other { mass 2 kg; position (a, b, c) in N; velocity (da, db, dc) in N; }
+        force pull[i] on other for i in 1..400 = i*1 [N]*N.1;";
+    let model = read(text);
+    let body = CompiledModel::new(&model);
+    let release = Release {
+        stop: Stop::Duration(1.0),
+        ..Release::of(&model)
+    };
+    let flight = simulate(&body, &release, &IntegrationOptions::with_tolerance(1e-10));
+    let flight = flight.unwrap_or_else(|error| panic!("{error}"));
+    let speed = flight.end_state[body.layout().state("da").expect("da").index()];
+    assert!((speed - 200.0 * 401.0 / 2.0).abs() < 1e-6, "{speed}");
+}
+
 const TWO: &str = "model two;
 param L = 1 m;
 frame N;

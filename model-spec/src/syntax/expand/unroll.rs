@@ -257,7 +257,7 @@ fn number(value: u32, span: Span) -> ExprKind {
 }
 
 /// Sum of terms in their order, none if there are none.
-fn added(mut terms: Vec<Expr>, span: Span) -> Option<Expr> {
+pub(super) fn added(mut terms: Vec<Expr>, span: Span) -> Option<Expr> {
     if terms.len() < 2 {
         return terms.pop();
     }

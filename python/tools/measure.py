@@ -1,6 +1,6 @@
 """Prints the figures of an installed package: time of a call, of a state in a batch, leaks.
 
-Run from the root of the repository: python python/measure.py
+Run from the root of the repository: python python/tools/measure.py
 """
 
 import gc

@@ -3,16 +3,20 @@
 //! The equations of the first body are those of the model. The statements of the others stay, each followed by the
 //! statements that it stands for; these are made anew whenever a file is expanded, so that effects may add loads.
 
+mod statements;
+
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{
-    Balance, Body, BodyClass, Equation, Expanded, Expr, ExprKind, File, Frame, FrameKind, Item,
-    ItemKind, Let, Limit, Load, LoadClass, Name, Quantity, State, Template, UnitExpr,
+    Body, BodyClass, Expanded, Expr, File, Frame, FrameKind, Item, ItemKind, Load, LoadClass, Name,
+    Quantity, Template,
 };
 use crate::syntax::body_parts::Triple;
-use crate::syntax::parser::Parser;
 use crate::syntax::{Parts, of_kind};
 use crate::unit::Unit;
+use statements::{Statement, Statements, expression};
 use std::sync::Arc;
+
+use super::unroll::added;
 
 /// Whether bodies after the first one are not written out yet.
 pub(super) fn is_needed(file: &File) -> bool {
@@ -263,32 +267,20 @@ fn attitude<'f>(
     }))
 }
 
-/// A statement, and the span by which it is hidden from tables and reports.
-type Statement = (Item, Option<Span>);
-
-/// Statements that are being made for a body.
-struct Statements {
-    span: Span,
-    list: Vec<Statement>,
-}
-
 impl Laws<'_> {
     fn statements(&self) -> Vec<Statement> {
         let (own, span) = (&self.body.name.text, self.body.name.span);
-        let mut made = Statements {
-            span,
-            list: Vec::new(),
-        };
+        let mut made = Statements::at(span);
         made.states(self.position, Unit::METRE);
         made.states(self.velocity, Unit::SPEED);
-        let force = self.sum(LoadClass::Force, &self.velocity.1.text);
         made.constant(format!("mass_of_{own}"), Unit::KILOGRAM, self.mass.clone());
         made.vector(format!("position_of_{own}"), self.position);
         made.vector(format!("velocity_of_{own}"), self.velocity);
         for (load, item) in &self.loads {
             made.load(own, load, item);
         }
-        made.quantity(format!("force_on_{own}"), Unit::NEWTON, &force);
+        let force = self.sum(LoadClass::Force, &self.velocity.1.text);
+        made.quantity(format!("force_on_{own}"), Unit::NEWTON, force);
         let velocity = format!("in_{}(velocity_of_{own})", self.inertial);
         let carried = match &self.attitude {
             Some(attitude) if attitude.frame == self.velocity.1.text => {
@@ -356,16 +348,16 @@ impl Laws<'_> {
             ),
         };
         let momentum = format!("({}, {}, {}) in {frame}", row(1), row(2), row(3));
-        made.let_be(format!("angular_momentum_of_{own}"), None, &momentum, false);
+        made.formula(format!("angular_momentum_of_{own}"), &momentum, false);
         made.quantity(
             format!("moment_on_{own}"),
             Unit::NEWTON_METRE,
-            &self.sum(LoadClass::Moment, frame),
+            self.sum(LoadClass::Moment, frame),
         );
         let left = format!(
             "moment_on_{own} - cross(angular_velocity_of_{own}, angular_momentum_of_{own})"
         );
-        made.let_be(format!("{own}__torque"), None, &left, true);
+        made.formula(format!("{own}__torque"), &left, true);
         // Cofactors of the symmetric tensor, over its determinant.
         let cofactor = |i: usize, j: usize| {
             let next = |k: usize| k % 3 + 1;
@@ -380,7 +372,7 @@ impl Laws<'_> {
         };
         if !is_diagonal {
             let terms = [1, 2, 3].map(|j| format!("{}*{}", entry(1, j), cofactor(1, j)));
-            made.let_be(format!("{own}__det"), None, &terms.join(" + "), true);
+            made.formula(format!("{own}__det"), &terms.join(" + "), true);
             made.positive(
                 &format!("{own}__det"),
                 format!("the inertia tensor of {own} is not positive definite"),
@@ -409,138 +401,19 @@ impl Laws<'_> {
     }
 
     /// Sum of the loads of a class, with components in `frame`.
-    fn sum(&self, class: LoadClass, frame: &str) -> String {
+    fn sum(&self, class: LoadClass, frame: &str) -> Expr {
+        let span = self.body.name.span;
         let loads = self.loads.iter().filter(|(load, _)| load.class == class);
-        let terms =
-            loads.map(|(load, _)| format!("in_{frame}({})", on_body(load, &self.body.name.text)));
-        let terms: Vec<String> = terms.collect();
-        match terms.is_empty() {
-            true => format!("(0, 0, 0) in {frame}"),
-            false => terms.join(" + "),
-        }
+        let terms = loads.map(|(load, _)| {
+            let name = on_body(load, &self.body.name.text);
+            expression(&format!("in_{frame}({name})"), span)
+        });
+        let none = || expression(&format!("(0, 0, 0) in {frame}"), span);
+        added(terms.collect(), span).unwrap_or_else(none)
     }
 }
 
 /// Name of a load as a quantity of the model.
 fn on_body(load: &Load, body: &str) -> String {
     format!("{}_on_{body}", load.name.text)
-}
-
-impl Statements {
-    fn push(&mut self, kind: ItemKind, is_hidden: bool) {
-        let item = Item::new(kind, "", self.span);
-        self.list.push((item, is_hidden.then_some(self.span)));
-    }
-
-    fn states(&mut self, (names, _, initial): Triple<'_>, unit: Unit) {
-        for (k, name) in names.iter().enumerate() {
-            let value = match initial {
-                Some(initial) => Quantity {
-                    number: initial.values[k].clone(),
-                    unit: initial.unit.clone(),
-                    span: initial.span,
-                },
-                None => Quantity::new("0", Some(UnitExpr::of(unit, name.span)), name.span),
-            };
-            self.state(name, value);
-        }
-    }
-
-    fn state(&mut self, name: &Name, value: Quantity) {
-        let name = name.clone();
-        self.push(ItemKind::State(State { name, value }), false);
-    }
-
-    fn vector(&mut self, name: String, (names, frame, _): Triple<'_>) {
-        let [x, y, z] = names.each_ref().map(|name| name.text.as_str());
-        let value = format!("({x}, {y}, {z}) in {}", frame.text);
-        self.let_be(name, None, &value, false);
-    }
-
-    fn quantity(&mut self, name: String, unit: Unit, value: &str) {
-        self.let_be(name, Some(unit), value, false);
-    }
-
-    fn let_be(&mut self, name: String, unit: Option<Unit>, value: &str, is_hidden: bool) {
-        let value = expression(value, self.span);
-        let own = self.definition(name, unit, value);
-        self.push(ItemKind::Let(own), is_hidden);
-    }
-
-    fn constant(&mut self, name: String, unit: Unit, value: Expr) {
-        let is_hidden = name.contains("__");
-        let own = Let {
-            is_constant: true,
-            ..self.definition(name, Some(unit), value)
-        };
-        self.push(ItemKind::Let(own), is_hidden);
-    }
-
-    fn definition(&self, name: String, unit: Option<Unit>, value: Expr) -> Let {
-        Let {
-            is_constant: false,
-            name: Name::new(name, self.span),
-            unit: unit.map(|unit| UnitExpr::of(unit, self.span)),
-            value,
-        }
-    }
-
-    fn load(&mut self, body: &str, load: &Load, item: &Item) {
-        let unit = match load.class {
-            LoadClass::Force => Unit::NEWTON,
-            LoadClass::Moment => Unit::NEWTON_METRE,
-        };
-        let span = load.name.span;
-        let own = Let {
-            name: Name::new(on_body(load, body), span),
-            ..self.definition(String::new(), Some(unit), load.value.clone())
-        };
-        let made = Item::new(ItemKind::Let(own), item.doc.clone(), item.span);
-        self.list.push((
-            Item {
-                effect: item.effect,
-                ..made
-            },
-            None,
-        ));
-    }
-
-    fn equation(&mut self, state: &Name, value: &str) {
-        let value = expression(value, self.span);
-        let state = state.clone();
-        self.push(ItemKind::Equation(Equation { state, value }), false);
-    }
-
-    fn positive(&mut self, value: &str, reason: String) {
-        let limit = Limit {
-            value: expression(value, self.span),
-            bound: Quantity::new("0", None, self.span),
-            reason,
-        };
-        self.push(ItemKind::Limit(limit), false);
-    }
-
-    fn claim(&mut self, quantity: &str, change: &str) {
-        let [quantity, change] = [quantity, change].map(|text| expression(text, self.span));
-        self.push(ItemKind::Balance(Balance { quantity, change }), false);
-    }
-}
-
-/// The expression of a text, all of which stands at `span`.
-fn expression(text: &str, span: Span) -> Expr {
-    let mut parser = Parser::new(text, span.source);
-    let mut e = parser.expr().unwrap_or_else(|_| Expr::number("0", span));
-    place(&mut e, span);
-    e
-}
-
-fn place(e: &mut Expr, span: Span) {
-    e.span = span;
-    match &mut e.kind {
-        ExprKind::Components(_, name) | ExprKind::Call(name, _) | ExprKind::Derivative(name) => {
-            name.span = span
-        }
-        _ => {}
-    }
-    e.children_mut(&mut |child| place(child, span));
 }
