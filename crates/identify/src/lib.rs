@@ -8,6 +8,7 @@ mod channel;
 mod contact_time;
 mod error;
 mod fit;
+mod fixed_axis;
 mod ground_contact;
 mod ids;
 mod initial_state;

@@ -9,8 +9,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
+use crate::fixed_axis::point_along;
 use crate::inputs;
-use crate::problem::{FitProblem, StatePrior, point_along};
+use crate::problem::{FitProblem, StatePrior};
 use crate::state_manifold::StateManifold;
 use dataset::pose::{Pose, pose};
 use dataset::statistics::median_of;

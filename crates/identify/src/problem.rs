@@ -7,11 +7,12 @@ use std::sync::Arc;
 use flight::CompiledModel;
 use model_spec::compose::Instrument;
 use model_spec::layout::{Layout, ParamId, StateId};
-use model_spec::model::{FrameKind, Model};
+use model_spec::model::Model;
 use nalgebra::DVector;
 
 use crate::channel::{self, Channel, ChannelKind};
 use crate::error::{FitError, FlightError, NameSource};
+use crate::fixed_axis::{fixed_axis, point_along};
 use crate::levels::{FAR_ABOVE, ROUGHLY_NOISE};
 use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
@@ -107,30 +108,6 @@ pub(crate) fn wide_deviation(unit: &str) -> f64 {
 
 /// Standard deviation of the prior of an unknown quantity, over the model's value of it.
 const WIDE: f64 = 10.0;
-
-/// Number, from 0, of the axis about which the frame of the markers turns, if it turns about one of the inertial frame only.
-fn fixed_axis(model: &Model) -> Option<usize> {
-    let frame = model.marker.as_ref()?.frame;
-    match model.frames[frame].kind {
-        FrameKind::Turned {
-            parent: 0, axis, ..
-        } => Some(usize::from(axis) - 1),
-        _ => None,
-    }
-}
-
-/// The point 1 m from the centre of `markers` along an axis; `None` if one of them is missing.
-pub(crate) fn point_along(axis: usize, markers: &[Option<[f64; 3]>]) -> Option<[f64; 3]> {
-    let mut centre = [0.0; 3];
-    for marker in markers {
-        let marker = (*marker)?;
-        for (sum, own) in centre.iter_mut().zip(marker) {
-            *sum += own / markers.len() as f64;
-        }
-    }
-    centre[axis] += 1.0;
-    Some(centre)
-}
 
 impl FitProblem {
     /// Compiles the model, with derivatives by the estimated parameters, for a dataset and options.
