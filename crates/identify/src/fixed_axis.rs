@@ -25,3 +25,11 @@ pub fn point_along(axis: usize, markers: &[Option<[f64; 3]>]) -> Option<[f64; 3]
     centre[axis] += 1.0;
     Some(centre)
 }
+
+/// Adds [`point_along`] to the positions of markers; returns whether there are any.
+pub fn add_point(axis: usize, markers: &mut Vec<[f64; 3]>) -> bool {
+    let seen: Vec<_> = markers.iter().copied().map(Some).collect();
+    let added = point_along(axis, &seen).filter(|_| !seen.is_empty());
+    markers.extend(added);
+    added.is_some()
+}

@@ -12,7 +12,7 @@ use nalgebra::DVector;
 
 use crate::channel::{self, Channel, ChannelKind};
 use crate::error::{FitError, FlightError, NameSource};
-use crate::fixed_axis::{fixed_axis, point_along};
+use crate::fixed_axis::{add_point, fixed_axis};
 use crate::levels::{FAR_ABOVE, ROUGHLY_NOISE};
 use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
@@ -162,12 +162,10 @@ impl FitProblem {
             let poses = poses.filter(|sensor| sensor.kind == SensorKind::Pose);
             markers.extend(poses.flat_map(|sensor| points_on_body(sensor.position)));
         }
-        let added_along = fixed_axis(model).filter(|_| !pose::fix_attitude(&markers));
-        let added_along = added_along.filter(|_| channels.iter().all(Channel::is_marker));
-        if let Some(axis) = added_along {
-            let seen: Vec<_> = markers.iter().copied().map(Some).collect();
-            markers.extend(point_along(axis, &seen));
-        }
+        let sees_markers_alone = channels.iter().all(Channel::is_marker);
+        let added_along = fixed_axis(model)
+            .filter(|_| sees_markers_alone && !pose::fix_attitude(&markers))
+            .filter(|&axis| add_point(axis, &mut markers));
         let is_seen_by_instruments = markers.is_empty() && !instruments.is_empty();
         if !has_attitude
             && let Some(pose) = channels.iter().find(|c| c.kind == ChannelKind::Attitude)
