@@ -151,9 +151,7 @@ fn equations(out: &mut String, model: &Model) -> std::fmt::Result {
         writeln!(out, "\n{} {name}", kind(body.class == BodyClass::Rigid))?;
         for class in [LoadClass::Force, LoadClass::Moment] {
             let loads = of_kind!(model.tree.items.iter(), ItemKind::Load);
-            let own = loads.filter(|load| {
-                load.class == class && load.on.as_ref().is_some_and(|on| on.text == *name)
-            });
+            let own = loads.filter(|load| load.class == class && load.is_on(name));
             let names: Vec<&str> = own.map(|load| load.name.text.as_str()).collect();
             if !names.is_empty() {
                 writeln!(

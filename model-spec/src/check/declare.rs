@@ -232,9 +232,8 @@ impl<'a> Checker<'a> {
 
     fn declare_states(&mut self) {
         let file = self.file;
-        let bodies: Vec<&ast::Body> = of_kind!(file.items.iter(), ItemKind::Body).collect();
         let stated: Vec<&ast::State> = of_kind!(file.items.iter(), ItemKind::State).collect();
-        if let Some(body) = bodies.first() {
+        if let Some(body) = self.declared_body {
             self.body_states(body);
             self.of_body = self.model.states.len();
         }
@@ -249,7 +248,7 @@ impl<'a> Checker<'a> {
             };
             self.add_state(state, term);
         }
-        if stated.is_empty() && bodies.is_empty() {
+        if stated.is_empty() && self.declared_body.is_none() {
             let message = "the model has no body and no states";
             let fault = Diagnostic::new(Kind::Missing, self.heading(), message);
             self.report(fault.help(

@@ -149,7 +149,7 @@ impl<'a> Checker<'a> {
         for item in &file.items {
             match &item.kind {
                 // The equations of further bodies are stated.
-                ItemKind::Load(load) if load.on.is_some() && !self.file.is_of_first_body(load) => {}
+                ItemKind::Load(load) if !self.file.is_of_first_body(load) => {}
                 ItemKind::Load(load) => {
                     let key = (load.class == LoadClass::Force, load.name.text.as_str());
                     if let Some(&first) = loads.get(&key) {

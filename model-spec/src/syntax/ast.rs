@@ -370,6 +370,13 @@ pub struct Load {
     pub value: Expr,
 }
 
+impl Load {
+    /// Whether the load is stated to act on the body of this name.
+    pub(crate) fn is_on(&self, body: &str) -> bool {
+        self.on.as_ref().is_some_and(|on| on.text == body)
+    }
+}
+
 /// A differential equation: `der(STATE) = …`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {

@@ -192,18 +192,12 @@ impl<'f> Laws<'f> {
         };
         let items = file.items.iter();
         let loads = items.filter_map(|item| match &item.kind {
-            ItemKind::Load(load)
-                if load.on.as_ref().is_some_and(|on| on.text == body.name.text) =>
-            {
-                Some((load, item))
-            }
+            ItemKind::Load(load) if load.is_on(&body.name.text) => Some((load, item)),
             _ => None,
         });
         let loads: Vec<(&Load, &Item)> = loads.collect();
-        let turning = loads
-            .iter()
-            .filter(|(load, _)| load.class == LoadClass::Moment);
-        if let (BodyClass::Point, Some((moment, _))) = (body.class, turning.clone().next()) {
+        let is_moment = |(load, _): &&(&Load, &Item)| load.class == LoadClass::Moment;
+        if let (BodyClass::Point, Some((moment, _))) = (body.class, loads.iter().find(is_moment)) {
             let message = format!(
                 "a point has no moments, but this one acts on `{}`",
                 body.name.text
