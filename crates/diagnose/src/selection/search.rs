@@ -99,7 +99,7 @@ impl Search {
             rejected: Vec::new(),
         };
         if search.is_significant() {
-            let fitted = search.fit_single_effects(model, base)?;
+            let fitted = search.fit_single_effects(model, base, weights)?;
             search.classify(model, fitted)?;
         }
         Ok(search)
@@ -122,12 +122,13 @@ impl Search {
         expected < fitted + MARGIN.0 + MARGIN.1 * (self.at_base.squares - fitted)
     }
 
-    /// Fits the strongest candidates one by one. The noise is estimated again with the first; if it changes, all tests
-    /// are repeated. None if nothing is significant in these.
+    /// Fits the strongest candidates one by one. Noise that is not known is estimated again with the first; if it
+    /// changes, all tests are repeated. None if nothing is significant in these.
     fn fit_single_effects(
         &mut self,
         model: &mut ScoreTestModel<'_>,
         base: LinearizationPoint<'_>,
+        weights: Weights<'_>,
     ) -> Result<Vec<Hypothesis>, DiagnosisError> {
         let mut fitted: Vec<Hypothesis> = Vec::new();
         for (index, effects) in strongest_singles(&self.at_base.tests)
@@ -152,7 +153,10 @@ impl Search {
             if is_first && !hypothesis.is_finished {
                 hypothesis = self.fitted_from_scratch(model, hypothesis)?;
             }
-            if is_first && if_possible(self.refine_noise(model, &hypothesis, base))? == Some(true) {
+            let is_estimated = is_first && matches!(weights, Weights::EstimatedFrom(_));
+            if is_estimated
+                && if_possible(self.refine_noise(model, &hypothesis, base))? == Some(true)
+            {
                 if !self.is_significant() {
                     return Ok(Vec::new());
                 }
