@@ -125,6 +125,48 @@ class Flight:
         """
         return self._native.markers(marker)
 
+    def derivatives(self, input_name: str) -> npt.NDArray[np.float64]:
+        """Return the derivatives of the states by each sample of an input over time.
+
+        They say what an error of the record does to the flight: errors of standard deviation `sigma` that are
+        independent move the states by ``sigma * np.sqrt((flight.derivatives(name) ** 2).sum(0))``.
+
+        Parameters
+        ----------
+        input_name : str
+            Name of a scalar input that varies in this flight.
+
+        Returns
+        -------
+        ndarray, shape (k, m, n)
+            By each of the `k` samples, of the `n` states at the times `t`, SI.
+
+        Raises
+        ------
+        InputError
+            If the model has no such input, or it is constant in this flight.
+
+        Examples
+        --------
+        >>> import hyzer
+        >>> model = hyzer.Model('''
+        ... model sled;
+        ... param m = 2 kg;
+        ... input thrust: N = 0;
+        ... frame N;
+        ... point sled { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+        ... force push = (thrust, 0, 0) in N;
+        ... ''')
+        >>> start = dict.fromkeys(model.states, 0.0)
+        >>> release = hyzer.Release(start, inputs={"thrust": ([0.0, 1.0, 2.0], [0.0, 4.0, 0.0])}, until=2.0)
+        >>> by_sample = model.fly(release, rate=1.0).derivatives("thrust")
+        >>> by_sample.shape
+        (3, 3, 6)
+        >>> by_sample[:, -1, 3].round(6).tolist()
+        [0.25, 0.5, 0.25]
+        """
+        return self._native.derivatives(input_name)
+
     def to_pandas(self) -> pd.DataFrame:
         """Return the states as a DataFrame: a column for each state, the time as its index."""
         pandas = extra("pandas")

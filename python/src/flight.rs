@@ -20,6 +20,9 @@ use crate::work;
 /// Largest number of samples of a flight, as of the program's trajectory.csv.
 const MAX_ROWS: f64 = 1e6;
 
+/// Largest number of derivatives by the samples of an input.
+const MAX_DERIVATIVES: usize = 100_000_000;
+
 /// A simulated flight.
 #[pyclass(frozen, module = "hyzer._hyzer")]
 pub struct Flight {
@@ -29,6 +32,7 @@ pub struct Flight {
     trajectory: Trajectory,
     title: String,
     rate: f64,
+    tolerance: f64,
 }
 
 /// A release of a model from the text of a release file, and the model to fly it with: a wind changes the model.
@@ -181,6 +185,7 @@ pub fn fly(
         trajectory,
         title,
         rate,
+        tolerance,
     })
 }
 
@@ -288,6 +293,42 @@ impl Flight {
             vec![len, 3]
         };
         array(marker.py(), values, &shape)
+    }
+
+    fn derivatives<'py>(&self, py: Python<'py>, input_name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let layout = self.body.layout();
+        let varying = layout.parameter(input_name);
+        let Some(id) = varying.filter(|id| layout.varying.contains(id)) else {
+            let known = layout.varying.iter().map(|id| &*layout.parameters[id.index()]);
+            let known: Vec<&str> = known.collect();
+            return Err(input(match known[..] {
+                [] => format!("the model {} has no scalar input", self.model.name),
+                _ => format!("found {input_name:?}, expected one of {}", known.join(", ")),
+            }));
+        };
+        let (times, states): (Vec<f64>, Vec<Vec<f64>>) = self.rows().unzip();
+        let parameters = self.body.release_parameters(&self.release);
+        let series = parameters.inputs.series().find(|(own, _)| *own == id);
+        let Some(samples) = series.map(|(_, series)| series.samples().count()) else {
+            return Err(input(format!(
+                "{input_name} is constant in this flight, expected an input over time"
+            )));
+        };
+        let shape = [samples, times.len(), layout.states.len()];
+        if shape.iter().product::<usize>() > MAX_DERIVATIVES {
+            return Err(input(format!(
+                "{} samples of {input_name} at {} times are too many derivatives; expected at most 1e8 numbers: \
+                 fly with a lower rate",
+                shape[0], shape[1]
+            )));
+        }
+        let (body, start) = (Arc::clone(&self.body), states[0].clone());
+        let options = IntegrationOptions::with_tolerance(self.tolerance);
+        let found = work::run(py, None, move |_| {
+            let bound = body.bind(parameters);
+            bound.derivatives_by_samples(id, (times[0], &start), &times, &options)
+        })?;
+        array(py, found.map_err(raise)?.concat(), &shape)
     }
 
     fn summary_json(&self) -> Option<String> {

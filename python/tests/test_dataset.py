@@ -186,6 +186,27 @@ observe mark = position + mark;
 """
 
 
+def test_derivatives_by_the_samples_of_an_input_sum_to_that_by_its_bias(tmp_path: Path) -> None:
+    model = hyzer.Model(DRONE)
+    t = np.linspace(0, 2, 41)
+    start = dict.fromkeys(("x", "y", "vx", "vy", "vz"), 0.0) | {"z": 5.0}
+
+    def flown(bias: float) -> hyzer.Flight:
+        throttle = 0.75 + 0.1 * np.sin(3 * t) + bias
+        release = hyzer.Release(start, inputs={"throttle": (t, throttle)}, until=2.0)
+        return model.fly(release, rate=10.0, tolerance=1e-10)
+
+    by_sample = flown(0).derivatives("throttle")
+    assert by_sample.shape == (41, 21, 6)
+    difference = (flown(1e-4).states - flown(-1e-4).states) / 2e-4
+    np.testing.assert_allclose(by_sample.sum(0), difference, atol=1e-6)
+    with pytest.raises(hyzer.InputError, match="expected one of throttle"):
+        flown(0).derivatives("elevator")
+    constant = model.fly(hyzer.Release(start, inputs={"throttle": 0.7}, until=1.0))
+    with pytest.raises(hyzer.InputError, match="throttle is constant in this flight"):
+        constant.derivatives("throttle")
+
+
 def test_inputs_over_time_are_columns_or_tables_of_their_own(tmp_path: Path) -> None:
     path = tmp_path / "drone.hyz"
     path.write_text(DRONE)

@@ -45,8 +45,16 @@ fn scatter(a: usize, b: usize) -> f64 {
     (hash >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
+/// Interval of held inputs, s.
+const HELD: f64 = 0.05;
+
+/// Commands that are held for [`HELD`].
+fn held(number: f64, t: f64) -> (f64, f64) {
+    commands(number, HELD * (t / HELD + 1e-6).floor())
+}
+
 /// Six flights, two of them held out, whose commands act as `acting` says of the recorded ones and the time.
-fn flights(acting: impl Fn(f64, f64) -> (f64, f64)) -> Dataset {
+fn flights(by: InputInterpolation, acting: impl Fn(f64, f64) -> (f64, f64)) -> Dataset {
     let mut made = DatasetBuilder::new("drone").marker("c", [0.0; 3]);
     let rate = |number: f64, t: f64, v: [f64; 3]| {
         let (throttle, tilt) = acting(number, t);
@@ -80,29 +88,38 @@ fn flights(acting: impl Fn(f64, f64) -> (f64, f64)) -> Dataset {
             let v3 = ahead(v, a2, h / 2.0);
             let a3 = rate(number, t + h / 2.0, v3);
             let v4 = ahead(v, a3, h);
-            let a4 = rate(number, t + h, v4);
+            // Just before the next value of a held input.
+            let a4 = rate(number, t + h - 1e-6, v4);
             x = [0, 1, 2].map(|k| x[k] + h / 6.0 * (v[k] + 2.0 * v2[k] + 2.0 * v3[k] + v4[k]));
             v = [0, 1, 2].map(|k| v[k] + h / 6.0 * (a1[k] + 2.0 * a2[k] + 2.0 * a3[k] + a4[k]));
         }
         let role = if index < 4 { Role::Fit } else { Role::HeldOut };
         made = made.flight(&format!("flight{index}"), role, &times, positions);
-        let clock = (0..=380).map(|k| f64::from(k) * 0.01 - 0.4);
+        let every = match by {
+            InputInterpolation::Hold => HELD,
+            _ => 0.01,
+        };
+        let last = (3.8 / every).round() as i32;
+        let clock = (0..=last).map(|k| f64::from(k) * every - 0.4);
         let recorded: Vec<_> = clock.map(|t| (t, commands(number, t))).collect();
         let of = |pick: fn((f64, f64)) -> f64| -> Vec<(f64, f64)> {
             recorded.iter().map(|&(t, both)| (t, pick(both))).collect()
         };
         made = made
-            .input("throttle", &of(|both| both.0), InputInterpolation::Cubic)
-            .input("tilt", &of(|both| both.1), InputInterpolation::Cubic);
+            .input("throttle", &of(|both| both.0), by)
+            .input("tilt", &of(|both| both.1), by);
     }
     made.build().expect("a dataset")
 }
 
 /// Names of the effects that a diagnosis finds, and the first estimate.
-fn found(acting: impl Fn(f64, f64) -> (f64, f64)) -> (Vec<String>, Option<f64>) {
+fn found(
+    by: InputInterpolation,
+    acting: impl Fn(f64, f64) -> (f64, f64),
+) -> (Vec<String>, Option<f64>) {
     let model = Model::parse("drone.hyz", DRONE).expect("a model");
     let told = hyzer::Diagnosis::of(&model)
-        .run(&flights(acting))
+        .run(&flights(by, acting))
         .expect("a diagnosis");
     let first = told.explanations().first();
     let effects = first.map(|own| &own.effects[..]).unwrap_or_default();
@@ -113,11 +130,12 @@ fn found(acting: impl Fn(f64, f64) -> (f64, f64)) -> (Vec<String>, Option<f64>) 
     (names, estimate.map(|own| own.value))
 }
 
+type Acting = fn(f64, f64) -> (f64, f64);
+
 #[test]
 fn errors_of_inputs_are_named() {
-    let (names, _) = found(commands);
+    let (names, _) = found(InputInterpolation::Cubic, commands);
     assert!(names.is_empty(), "{names:?}");
-    type Acting = fn(f64, f64) -> (f64, f64);
     let cases: [(&str, f64, Acting); 4] = [
         ("delay-of-throttle", 0.03, |number, t| {
             (commands(number, t - 0.03).0, commands(number, t).1)
@@ -135,9 +153,32 @@ fn errors_of_inputs_are_named() {
         }),
     ];
     for (name, size, acting) in cases {
-        let (names, estimate) = found(acting);
-        assert_eq!(names, [name]);
-        let estimate = estimate.expect("an estimate");
-        assert!((estimate - size).abs() < 0.05 * size, "{name}: {estimate}");
+        is_named(InputInterpolation::Cubic, name, size, acting);
     }
+}
+
+#[test]
+fn errors_of_held_inputs_are_named() {
+    let (names, _) = found(InputInterpolation::Hold, held);
+    assert!(names.is_empty(), "{names:?}");
+    let cases: [(&str, f64, Acting); 2] = [
+        ("bias-of-throttle", 0.02, |number, t| {
+            let (throttle, tilt) = held(number, t);
+            (throttle + 0.02, tilt)
+        }),
+        ("scale-of-tilt", 0.1, |number, t| {
+            let (throttle, tilt) = held(number, t);
+            (throttle, 1.1 * tilt)
+        }),
+    ];
+    for (name, size, acting) in cases {
+        is_named(InputInterpolation::Hold, name, size, acting);
+    }
+}
+
+fn is_named(by: InputInterpolation, name: &str, size: f64, acting: Acting) {
+    let (names, estimate) = found(by, acting);
+    assert_eq!(names, [name]);
+    let estimate = estimate.expect("an estimate");
+    assert!((estimate - size).abs() < 0.05 * size, "{name}: {estimate}");
 }

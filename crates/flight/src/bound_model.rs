@@ -9,8 +9,8 @@ use ode::{Event, StateVector};
 /// Compiled model with a value for each parameter; created by [`CompiledModel::bind`].
 pub struct BoundModel<'a> {
     pub(crate) model: &'a CompiledModel,
-    parameters: Vec<f64>,
-    inputs: InputsOverTime,
+    pub(crate) parameters: Vec<f64>,
+    pub(crate) inputs: InputsOverTime,
     prepared: Vec<f64>,
     /// Times at which the right-hand side is not smooth, s, increasing.
     pub(crate) time_breaks: Vec<f64>,

@@ -28,6 +28,7 @@
 
 #![forbid(unsafe_code)]
 
+mod basis_loads;
 mod bound_model;
 pub mod cancellation;
 mod compiled_model;
@@ -51,6 +52,7 @@ mod toml_reader;
 mod trajectory_csv;
 pub mod wind;
 
+pub use basis_loads::BasisLoads;
 pub use bound_model::BoundModel;
 pub use compiled_model::{CompiledModel, ModelState};
 pub use constraints::{BoundConstraints, Constraints, take_lengths};

@@ -16,7 +16,7 @@ pub use encompassing::identifier;
 pub(crate) use encompassing::{
     Candidate, CandidateParameter, EncompassingModel, display_name, of_stated_inputs,
 };
-pub(crate) use library_terms::{BasisLoads, LibraryTerms};
+pub(crate) use library_terms::LibraryTerms;
 pub(crate) use linearize::{LinearizationPoint, TrajectoryCache};
 pub use options::{DiagnosisOptions, OptionsError, ThrowRanges};
 pub(crate) use refit::Refitted;

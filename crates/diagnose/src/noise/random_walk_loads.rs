@@ -2,14 +2,14 @@
 //! variances of its first value and of its increments are estimated by expectation maximization from all flights; a
 //! channel without evidence remains at 0.
 
-use flight::parallel;
+use flight::{BasisLoads, parallel};
 use identify::{Iterate, Loss, NoiseModel, linearise_with, pseudo_inverse};
 use model_spec::layout::ParamId;
 use nalgebra::{DMatrix, DVector};
 use ode::DifferentiableRhs;
 use serde::{Deserialize, Serialize};
 
-use crate::context::{BasisLoads, LibraryTerms, ScoreTestModel};
+use crate::context::{LibraryTerms, ScoreTestModel};
 use crate::score_test::{eliminate_locals, keep_directions};
 
 /// Maximum time between the knots of a time history, s, exceeded only beyond the maximum number of knots.
@@ -148,9 +148,9 @@ impl FlightLoads {
             .body
             .bind(observations.parameters(problem, &at.global));
         let first = problem.body.layout().parameters.len();
-        let loads = terms.loads.iter();
-        let loads: Vec<ParamId> = loads.flat_map(|&load| vec![load; count]).collect();
-        let mut motion = BasisLoads::new(&conditions, &loads, first, |t, _, values: &mut [f64]| {
+        let loads = terms.loads.iter().flat_map(|&load| vec![load; count]);
+        let loads: Vec<(ParamId, usize)> = loads.zip(first..).collect();
+        let mut motion = BasisLoads::new(&conditions, &loads, |t, _, values: &mut [f64]| {
             for (index, value) in values.iter_mut().enumerate() {
                 *value = hat(&knots, index % count, t);
             }

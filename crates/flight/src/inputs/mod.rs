@@ -1,5 +1,6 @@
 //! Inputs over time: scalar inputs of a model that vary during a flight.
 
+mod derivatives;
 mod lag;
 mod table;
 

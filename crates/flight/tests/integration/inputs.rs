@@ -312,3 +312,62 @@ fn derivatives_by_delay_and_lag_are_those_of_what_acts() {
         }
     }
 }
+
+#[test]
+fn derivatives_by_samples_are_those_of_flights_with_other_samples() {
+    let nonlinear = SLED.replace(
+        "force push = (thrust*(1 - brake), 0, 0) in N;",
+        "param c = 0.05 1/N;\nparam k = 0.3 kg/m;\nforce push = (thrust*(1 + c*thrust), 0, 0) in N;\nforce drag = -k*norm(velocity)*velocity;",
+    );
+    let late = ["lag_of_thrust", "delay_of_thrust"];
+    let model = model_spec::load::from_text("sled.hyz", &nonlinear, &late).expect("they fit");
+    let compiled = CompiledModel::new(&model);
+    let options = IntegrationOptions {
+        max_step: 0.02,
+        ..IntegrationOptions::with_tolerance(1e-10)
+    };
+    let times = [0.4, 0.7, 1.1, 2.8];
+    // The value holds from 0.52 s to 0.9 s, where the input itself has no kink.
+    let values = [1.0, 6.0, -2.0, -2.0, 0.0, 1.0];
+    for interpolation in ["linear", "hold", "cubic"] {
+        for [delay, lag] in [[0.0, 0.0], [0.03, 0.0], [0.03, 0.05]] {
+            let parameters = |values: &[f64]| {
+                let series = format!("t = [0.0, 0.5, 0.52, 0.9, 2.0, 3.0], value = {values:?}");
+                let text = format!(
+                    "{START}[coefficients]\nk_delay_of_thrust = {delay}\nk_lag_of_thrust = {lag}\n\
+                     [inputs]\nthrust = {{ {series}, interpolation = \"{interpolation}\" }}"
+                );
+                let release = read("r.toml", &text, |_| Ok(Vocabulary::of(&model)));
+                let release = release.expect("a release");
+                (compiled.release_parameters(&release), release.state())
+            };
+            let (own, state) = parameters(&values);
+            let bound = compiled.bind(own);
+            let thrust = compiled.layout().parameter("thrust").expect("an input");
+            let found = bound.derivatives_by_samples(thrust, (0.0, &state), &times, &options);
+            let found = found.expect("a flight");
+            assert_eq!(found.len(), values.len());
+            for (sample, by_sample) in found.iter().enumerate() {
+                let flown = |step: f64| {
+                    let mut values = values;
+                    values[sample] += step;
+                    let (own, state) = parameters(&values);
+                    let mut along = vec![0.0; times.len() * state.len()];
+                    let bound = compiled.bind(own);
+                    let start: Box<[f64]> = state.into();
+                    let end =
+                        bound.integrate_at((0.0, &start), &times, &options, &mut [], &mut along);
+                    end.map(|_| along).expect("a flight")
+                };
+                let (up, down) = (flown(1e-3), flown(-1e-3));
+                for (index, exact) in by_sample.iter().enumerate() {
+                    let difference = (up[index] - down[index]) / 2e-3;
+                    assert!(
+                        (exact - difference).abs() < 2e-6,
+                        "{interpolation} {delay} {lag}, sample {sample}, {index}: {exact} {difference}"
+                    );
+                }
+            }
+        }
+    }
+}

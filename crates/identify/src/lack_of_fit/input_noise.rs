@@ -18,8 +18,9 @@ use crate::report::InputNoise;
 /// Number of samples from which differences show the noise of an input.
 const MIN_SAMPLES: usize = 20;
 
-/// Variance of a third difference of white noise, over that of the noise.
-const THIRD_DIFFERENCE: f64 = 20.0;
+/// Orders of the differences that show the noise of an input. In each further one a signal becomes smaller beside the
+/// noise where its periods have three samples or more; beyond six, few samples of a flight are left.
+const ORDERS: std::ops::RangeInclusive<u32> = 3..=6;
 
 /// Effect on the predictions, over the noise of the measurements, below which the noise of inputs is negligible.
 const NEGLIGIBLE: f64 = 0.3;
@@ -73,16 +74,26 @@ impl InputNoise {
     }
 }
 
-/// Standard deviation of the noise of a recorded input by its third differences, which slow changes do not have; 0 for
-/// too few samples.
+/// Standard deviation of the noise of a recorded input: the least by its differences of [`ORDERS`]; 0 for too few samples.
 fn sigma(series: &InputSeries) -> f64 {
-    let values: Vec<f64> = series.samples().map(|(_, value)| value).collect();
-    if values.len() < MIN_SAMPLES {
+    let mut differences: Vec<f64> = series.samples().map(|(_, value)| value).collect();
+    if differences.len() < MIN_SAMPLES {
         return 0.0;
     }
-    let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
-    let mut differences: Vec<f64> = values.windows(4).map(third).collect();
-    robust_sigma(&mut differences) / THIRD_DIFFERENCE.sqrt()
+    let (mut least, mut variance) = (f64::INFINITY, 1.0);
+    for order in 1..=*ORDERS.end() {
+        differences = differences
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .collect();
+        // The variance of a difference of white noise, over that of the noise: 2, 6, 20, 70, …
+        variance *= 4.0 - 2.0 / f64::from(order);
+        if ORDERS.contains(&order) {
+            let mut sizes: Vec<f64> = differences.iter().map(|own| own.abs()).collect();
+            least = least.min(robust_sigma(&mut sizes) / f64::sqrt(variance));
+        }
+    }
+    least
 }
 
 impl Sums {
