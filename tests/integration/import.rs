@@ -265,6 +265,37 @@ fn what_is_not_known_is_asked_for_and_nothing_is_written() {
 }
 
 #[test]
+fn the_only_point_is_the_only_marker() {
+    let around = tempfile::tempdir().expect("a folder");
+    let mut table = "t,X,Y,Z\n".to_owned();
+    for i in 0..60 {
+        let t = f64::from(i) / 120.0;
+        let _ = writeln!(table, "{t},{},0,{}", 10.0 * t, 2.0 - 4.905 * t * t);
+    }
+    let (take, out) = (around.path().join("t.csv"), around.path().join("imported"));
+    std::fs::write(&take, table).expect("written");
+    let template = "examples/ball/dataset.toml";
+    let mut command = hyzer();
+    command.arg("import").arg(&take).arg("--out").arg(&out);
+    command.args([
+        "--up",
+        "+z",
+        "--length",
+        "m",
+        "--time",
+        "s",
+        "--markers",
+        template,
+    ]);
+    let (status, _, errors) = told(&mut command);
+    assert_eq!(status, 0, "{errors}");
+    let imported = dataset::load(&out).expect("a dataset");
+    let template = dataset::load("examples/ball".as_ref()).expect("a dataset");
+    assert_eq!(imported.markers[0].name, template.markers[0].name);
+    assert_eq!(imported.flights[0].times.len(), 60);
+}
+
+#[test]
 fn a_pose_is_written_as_a_sensor() {
     let around = tempfile::tempdir().expect("a folder");
     let mut table = "t_s,disc_x_m,disc_y_m,disc_z_m,disc_qw,disc_qx,disc_qy,disc_qz\n".to_owned();

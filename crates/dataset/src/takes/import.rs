@@ -164,7 +164,8 @@ fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option
 }
 
 impl Followed {
-    /// Selects the points that are the markers, by label or by the name given to it; if none matches, the only body.
+    /// Selects the points that are the markers, by label or by the name given to it; if none matches, the only point for
+    /// the only marker, or the only body.
     fn find(take: &Take, options: &ImportOptions) -> Result<Self, Fault> {
         let is_unknown = |label: &&String| !take.labels().any(|known| known == *label);
         if let Some(label) = options.labels.keys().find(is_unknown) {
@@ -182,6 +183,10 @@ impl Followed {
         }
         if missing.is_empty() && !points.is_empty() {
             return Ok(Self::Points(points));
+        }
+        let is_only = (take.points.len(), options.markers.len()) == (1, 1);
+        if is_only && take.bodies.is_empty() {
+            return Ok(Self::Points(vec![0]));
         }
         if take.bodies.len() == 1 && points.is_empty() {
             let markers = options.markers.iter().map(|marker| marker.position);

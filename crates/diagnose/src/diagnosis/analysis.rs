@@ -36,6 +36,8 @@ pub(super) struct Analysis<'a> {
     pub(super) stepwise: Option<StepwiseModel>,
     pub(super) consensus: Option<Consensus>,
     pub(super) discordant: Option<Discordant>,
+    /// Whether the accepted hypothesis is not adequate, only the nearest.
+    pub(super) is_nearest_only: bool,
     pub(super) notes: Vec<String>,
 }
 
@@ -98,6 +100,7 @@ impl<'a> Analysis<'a> {
             stepwise: None,
             consensus: None,
             discordant: None,
+            is_nearest_only: false,
             notes: context.dataset.notes.clone(),
         };
         if is_despite_faults {
@@ -117,7 +120,7 @@ impl<'a> Analysis<'a> {
         } else {
             analysis.select_by_bic(FREE_UNKNOWNS);
         }
-        if analysis.consensus.is_none() {
+        if analysis.consensus.is_none() && !analysis.is_nearest_only {
             analysis.search.add_undecided(&analysis.model)?;
         }
         Ok(analysis)
@@ -191,11 +194,15 @@ impl<'a> Analysis<'a> {
             let offered = measured.add_to(&mut report, &self.before, context)?;
             (after, made) = offered.unzip();
         }
+        if self.is_nearest_only && !self.search.accepted.is_empty() {
+            report::withdraw_inadequate(&mut report);
+        }
         report::describe_departures(&mut report);
         report::withdraw_by_excess(&mut report, self.before.report.excess.as_ref());
         report::withdraw_by_doubts(&mut report, &self.before.report);
         let is_out_of_time = context.is_out_of_time();
-        if is_out_of_time || (self.model.is_exhausted() && self.search.accepted.is_empty()) {
+        let is_undecided = self.search.accepted.is_empty() || self.is_nearest_only;
+        if is_out_of_time || (self.model.is_exhausted() && is_undecided) {
             report::note_incomplete(&mut report, is_out_of_time);
         }
         if !is_out_of_time {

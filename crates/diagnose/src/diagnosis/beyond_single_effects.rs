@@ -10,7 +10,8 @@ use crate::selection::{MAX_EFFECTS, MAX_SELECTED, StepwiseModel};
 
 impl Analysis<'_> {
     /// Searches for several candidates together, library terms, or effects on which the flights agree. Terms replace
-    /// candidates if they explain as much with fewer unknowns.
+    /// candidates if they explain as much with fewer unknowns. Where nothing is adequate, the best of the hypotheses
+    /// remains, as the nearest, if terms do not explain more.
     pub(super) fn search_beyond_single_effects(&mut self) -> Result<(), DiagnosisError> {
         let few = |effects: &[_]| self.model.unknowns_of(effects) <= FREE_UNKNOWNS;
         let singles = &self.search.rejected;
@@ -39,6 +40,11 @@ impl Analysis<'_> {
         self.select_by_bic(0);
         if self.search.accepted.is_empty() && !self.has_adequate_terms() {
             self.search_consensus()?;
+            if self.consensus.is_none() {
+                let nearest = self.search.nearest(&self.model, self.stepwise.as_ref());
+                self.is_nearest_only = nearest.is_some();
+                self.search.accepted.extend(nearest);
+            }
         }
         Ok(())
     }

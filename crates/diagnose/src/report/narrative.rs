@@ -80,7 +80,7 @@ impl Explanation {
         }
     }
 
-    fn sentences(&self) -> String {
+    pub(super) fn sentences(&self) -> String {
         let effects = self.effects.iter().map(|effect| {
             let estimates = effect.estimates.iter();
             let estimates: Vec<String> = estimates.map(|(name, e)| e.text(name)).collect();

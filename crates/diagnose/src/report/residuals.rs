@@ -58,16 +58,31 @@ pub(crate) fn describe_departures(report: &mut Report) {
                 None => report.notes.push(format!("a lack of fit remains: {says}")),
                 Some(nearest) => {
                     report.verdict = Verdict::Unattributed;
-                    *none = Some(Unattributed::described(format!(
-                        "The nearest candidate, {}, explains {} of the misfit. {says}",
-                        nearest.name(),
-                        percent(nearest.explained_fraction)
-                    )));
+                    let description = format!("{} {says}", explains(nearest));
+                    *none = Some(Unattributed::described(description));
                 }
             }
         }
         _ => report.notes.push(format!("a lack of fit remains: {says}")),
     }
+}
+
+fn explains(nearest: &Explanation) -> String {
+    format!(
+        "The nearest candidate, {}, explains {} of the misfit.",
+        nearest.name(),
+        percent(nearest.explained_fraction)
+    )
+}
+
+/// Withdraws the verdict where the explanation is the nearest alone, and something significant remains with it.
+pub(crate) fn withdraw_inadequate(report: &mut Report) {
+    let Some(nearest) = report.explanations.first() else {
+        return;
+    };
+    let description = format!("{}{}", explains(nearest), nearest.sentences());
+    report.verdict = Verdict::Unattributed;
+    report.unattributed = Some(Unattributed::described(description));
 }
 
 /// Withdraws the verdict that the model is adequate where the residuals exceed the noise between the markers.

@@ -50,12 +50,12 @@ fn bic(model: &ScoreTestModel<'_>, squares: f64, unknowns: usize) -> f64 {
     squares + (model.coordinates() as f64).ln() * unknowns as f64
 }
 
-fn bic_of_hypothesis(model: &ScoreTestModel<'_>, hypothesis: &Hypothesis) -> f64 {
+pub(super) fn bic_of_hypothesis(model: &ScoreTestModel<'_>, hypothesis: &Hypothesis) -> f64 {
     let unknowns = model.unknowns_of(&hypothesis.effects);
     bic(model, hypothesis.squares, unknowns)
 }
 
-fn bic_of_terms(model: &ScoreTestModel<'_>, terms: &StepwiseModel) -> f64 {
+pub(super) fn bic_of_terms(model: &ScoreTestModel<'_>, terms: &StepwiseModel) -> f64 {
     bic(model, terms.squares, terms.unknowns())
 }
 

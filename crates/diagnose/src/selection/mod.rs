@@ -2,6 +2,7 @@
 
 mod bic;
 mod hypothesis;
+mod nearest;
 mod search;
 mod stepwise_terms;
 

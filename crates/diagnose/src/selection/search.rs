@@ -4,6 +4,7 @@ use identify::{Iterate, NoiseModel, fit};
 use model_spec::sort_by_number;
 
 use super::hypothesis::{Hypothesis, Thresholds};
+use super::nearest::Nearest;
 use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, TrajectoryCache};
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
@@ -36,6 +37,8 @@ pub(crate) struct Search {
     pub accepted: Vec<Hypothesis>,
     /// Hypotheses of the last round without an adequate one, best fit first.
     pub rejected: Vec<Hypothesis>,
+    /// The rejected hypothesis of the smallest BIC, of all rounds.
+    pub(super) nearest: Option<Nearest>,
 }
 
 /// Score tests of candidate effects and library terms at a linearization point.
@@ -97,6 +100,7 @@ impl Search {
             noise,
             accepted: Vec::new(),
             rejected: Vec::new(),
+            nearest: None,
         };
         if search.is_significant() {
             let fitted = search.fit_single_effects(model, base, weights)?;
@@ -226,6 +230,9 @@ impl Search {
             let adequate = each.filter(|(_, is_adequate)| *is_adequate);
             self.accepted = adequate.map(|(hypothesis, _)| hypothesis).collect();
         } else {
+            for hypothesis in &fitted {
+                self.note_nearest(model, hypothesis);
+            }
             self.rejected = fitted;
         }
         Ok(())

@@ -1,0 +1,45 @@
+//! The nearest of the rejected hypotheses, which is the best answer where none is adequate.
+
+use identify::Iterate;
+
+use super::bic::{bic_of_hypothesis, bic_of_terms};
+use super::hypothesis::Hypothesis;
+use super::search::{MAX_EFFECTS, Search};
+use super::stepwise_terms::StepwiseModel;
+use crate::context::{CandidateId, ScoreTestModel};
+
+/// A hypothesis as the start of its fit.
+pub(super) struct Nearest {
+    bic: f64,
+    effects: Vec<CandidateId>,
+    iterate: Iterate,
+}
+
+impl Search {
+    pub(super) fn note_nearest(&mut self, model: &ScoreTestModel<'_>, hypothesis: &Hypothesis) {
+        let bic = bic_of_hypothesis(model, hypothesis);
+        let is_nearer = self.nearest.as_ref().is_none_or(|known| bic < known.bic);
+        if hypothesis.effects.len() <= MAX_EFFECTS && is_nearer {
+            self.nearest = Some(Nearest {
+                bic,
+                effects: hypothesis.effects.clone(),
+                iterate: hypothesis.iterate.clone(),
+            });
+        }
+    }
+
+    /// The rejected hypothesis of the smallest BIC, of at most [`MAX_EFFECTS`] effects, if library terms do not have a
+    /// smaller one.
+    pub fn nearest(
+        &self,
+        model: &ScoreTestModel<'_>,
+        terms: Option<&StepwiseModel>,
+    ) -> Option<Hypothesis> {
+        let of_terms = terms.map_or(f64::INFINITY, |terms| bic_of_terms(model, terms));
+        let nearest = self
+            .nearest
+            .as_ref()
+            .filter(|nearest| nearest.bic < of_terms)?;
+        model.fit_hypothesis(&nearest.effects, &nearest.iterate, &self.noise)
+    }
+}
