@@ -43,3 +43,31 @@ impl Search {
         model.fit_hypothesis(&nearest.effects, &nearest.iterate, &self.noise)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::selection::Weights;
+    use crate::test_support::fixture;
+
+    #[test]
+    fn the_nearest_has_the_least_bic_of_all_rounds_and_few_effects() {
+        let mut fixture = fixture();
+        let noise = fixture.fit.noise().clone();
+        let weights = Weights::EstimatedFrom(&noise);
+        let mut search = Search::new(&mut fixture.model, &fixture.iterate, weights).unwrap();
+        search.nearest = None;
+        assert!(search.nearest(&fixture.model, None).is_none());
+        let all = ["stall", "air-density", "roll-damping", "gravity"];
+        for names in [&all[1..2], &all[..1], &all[2..3], &all] {
+            let mut effects: Vec<CandidateId> =
+                names.iter().map(|name| fixture.candidate(name)).collect();
+            effects.sort_unstable();
+            let (model, from) = (&fixture.model, &fixture.iterate);
+            let hypothesis = model.fit_hypothesis(&effects, from, &search.noise).unwrap();
+            search.note_nearest(model, &hypothesis);
+        }
+        let nearest = search.nearest(&fixture.model, None).unwrap();
+        assert_eq!(nearest.effects, [fixture.candidate("stall")]);
+    }
+}
