@@ -1,6 +1,6 @@
 //! The template is found from free flights that an integrator of the test's own made.
 
-use crate::support::spun::{Flights, Plan, USUAL, flights};
+use super::support::spun::{Flights, Plan, USUAL, flights};
 use dataset::takes::{
     CentreHeight, EstimatedTemplate, FreeFlight, TemplateError, estimate_template,
 };
