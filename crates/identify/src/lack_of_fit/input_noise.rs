@@ -10,13 +10,11 @@ use rand_distr::{Distribution, Normal};
 use super::FittedFlight;
 use crate::fit::Fit;
 use crate::least_squares::{NormalBlock, pseudo_inverse};
+use crate::levels::MIN_SERIES;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::{each_residual, residuals};
 use crate::report::InputNoise;
-
-/// Number of samples from which differences show the noise of an input.
-const MIN_SAMPLES: usize = 20;
 
 /// Variance of a third difference of white noise, over that of the noise.
 const THIRD_DIFFERENCE: f64 = 20.0;
@@ -77,7 +75,7 @@ impl InputNoise {
 /// too few samples.
 fn sigma(series: &InputSeries) -> f64 {
     let values: Vec<f64> = series.samples().map(|(_, value)| value).collect();
-    if values.len() < MIN_SAMPLES {
+    if values.len() < MIN_SERIES {
         return 0.0;
     }
     let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
