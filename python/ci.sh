@@ -19,7 +19,7 @@ export PATH=$venv/bin:$PATH VIRTUAL_ENV=$venv
 echo "== wheel"
 cargo fmt --check
 rm -rf "$target/python-wheels"
-maturin build --quiet --locked --profile dev --out "$target/python-wheels"
+maturin build --quiet --locked --profile dev --features as-tested --out "$target/python-wheels"
 pip install --quiet --disable-pip-version-check --force-reinstall --no-deps "$target"/python-wheels/*.whl
 
 echo "== ruff, mypy, pyright, stubs"

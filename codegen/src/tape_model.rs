@@ -77,8 +77,6 @@ pub struct Scratch {
 /// Functions of a model, compiled to register bytecode ([`Tape`]).
 #[derive(Clone, Debug)]
 pub struct TapeModel {
-    /// Name of the model.
-    pub name: String,
     /// Number of states.
     pub states: usize,
     /// Number of parameters: known constants, coefficients and components of inputs together.
@@ -89,8 +87,6 @@ pub struct TapeModel {
     pub prepare: TapeFunction,
     /// Function that computes the time derivatives `dx` of the states.
     pub f: TapeFunction,
-    /// Function that computes the time derivatives `dx` of the states and their state Jacobian `j`.
-    pub f_jac: TapeFunction,
     /// Computes the state derivatives `dx` with the Jacobians `j` and `jp`.
     pub f_jac_par: TapeFunction,
     /// Function that computes the position `y`, m, of a marker in the inertial frame, from its body-fixed coordinates.
@@ -120,13 +116,11 @@ impl TapeModel {
     /// Compiles all functions of a model to register bytecode.
     pub fn new(compiled: &Compiled) -> TapeModel {
         TapeModel {
-            name: compiled.name.clone(),
             states: compiled.layout.states.len(),
             parameters: compiled.layout.parameters.len(),
             prepared: compiled.prepared.len(),
             prepare: TapeFunction::new(&compiled.prepare),
             f: TapeFunction::new(&compiled.f),
-            f_jac: TapeFunction::new(&compiled.f_jac),
             f_jac_par: TapeFunction::new(&compiled.f_jac_par),
             observe: TapeFunction::new(&compiled.observe),
             observe_jac: TapeFunction::new(&compiled.observe_jac),

@@ -68,7 +68,7 @@ macro_rules! index_type {
     };
 }
 
-/// A vector that can be indexed only by the index type `I`; [`IndexVec::as_slice`] returns a plain slice.
+/// A vector that can be indexed only by the index type `I`.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct IndexVec<I, T> {
     items: Vec<T>,
@@ -134,11 +134,6 @@ impl<I: Idx, T> IndexVec<I, T> {
     /// Index of the first item that satisfies `predicate`; `None` if no item does.
     pub fn position(&self, predicate: impl FnMut(&T) -> bool) -> Option<I> {
         self.items.iter().position(predicate).map(I::new)
-    }
-
-    /// The items as a plain slice.
-    pub fn as_slice(&self) -> &[T] {
-        &self.items
     }
 }
 

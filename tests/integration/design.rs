@@ -22,7 +22,7 @@ fn simulate_flies_the_release_of_a_design_to_its_target() {
     // A model that is not built in, with a parameter of the command line.
     let folder = tempfile::tempdir().expect("a folder");
     let (out, flown) = (folder.path().join("designed"), folder.path().join("flown"));
-    let model = "crates/analysis/tests/design/support/plate.hyz";
+    let model = "crates/analysis/tests/integration/support/plate.hyz";
     let arguments = [
         "design",
         "--goal",

@@ -97,11 +97,6 @@ pub struct ExprGraph {
 }
 
 impl ExprGraph {
-    /// Creates an empty graph.
-    pub fn new() -> ExprGraph {
-        ExprGraph::default()
-    }
-
     /// Creates an empty graph whose expressions may look up values in `tables`, and in which the parameters with the
     /// indices `varying` may vary during a flight.
     pub fn with_tables(tables: Tables, varying: Vec<u32>) -> ExprGraph {

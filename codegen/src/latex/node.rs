@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn nodes_have_the_parentheses_they_need() {
-        let mut g = ExprGraph::new();
+        let mut g = ExprGraph::default();
         let [a, b, c] = [0, 1, 2].map(|k| g.symbol(Symbol::State(k)));
         let one = g.whole(1);
         let sum = g.add(a, b);

@@ -24,31 +24,72 @@ fn vanishing(model: &Model, compiled: &Compiled) -> Vec<(usize, f64)> {
         .collect()
 }
 
-/// Names and values of all outputs of a function at the states `x` and parameters `p`; matrices are written out with
-/// all entries, structural zeros included.
-fn full(compiled: &Compiled, function: &Function, x: &[f64], p: &[f64]) -> Vec<(String, f64)> {
-    let run = |function: &Function, prepared: &[f64]| {
-        let mut out = vec![0.0; function.program.outputs.len()];
-        let inputs = Inputs {
-            t: 0.3,
-            x,
-            p,
-            prepared,
-            marker: &[0.1, -0.03, 0.02],
+/// Section, row and column of an output.
+type Place = (&'static str, usize, usize);
+
+/// The functions of a compiled model, as tapes.
+struct Tapes<'c> {
+    compiled: &'c Compiled,
+    prepare: Tape,
+    functions: Vec<(&'c Function, Tape)>,
+}
+
+impl<'c> Tapes<'c> {
+    fn new(compiled: &'c Compiled) -> Self {
+        let functions = compiled.functions().into_iter().skip(1);
+        Self {
+            compiled,
+            prepare: Tape::new(&compiled.prepare.program),
+            functions: functions
+                .map(|function| (function, Tape::new(&function.program)))
+                .collect(),
+        }
+    }
+
+    /// Places and values of all outputs of each function at the states `x` and parameters `p`; matrices are written out
+    /// with all entries, structural zeros included.
+    fn full(&self, x: &[f64], p: &[f64]) -> Vec<(&str, Vec<(Place, f64)>)> {
+        let run = |tape: &Tape, prepared: &[f64], outputs: usize| {
+            let mut out = vec![0.0; outputs];
+            let inputs = Inputs {
+                t: 0.3,
+                x,
+                p,
+                prepared,
+                marker: &[0.1, -0.03, 0.02],
+            };
+            tape.eval(inputs, &mut Vec::new(), &mut out);
+            out
         };
-        Tape::new(&function.program).eval(inputs, &mut Vec::new(), &mut out);
-        out
-    };
-    let prepared = run(&compiled.prepare, &[]);
-    let values = run(function, &prepared);
+        let prepare = &self.compiled.prepare.program;
+        let prepared = run(&self.prepare, &[], prepare.outputs.len());
+        let functions = self.functions.iter().map(|(function, tape)| {
+            let values = run(tape, &prepared, function.program.outputs.len());
+            (
+                &*function.name,
+                written_out(function, &values, x.len(), p.len()),
+            )
+        });
+        functions.collect()
+    }
+}
+
+fn written_out(
+    function: &Function,
+    values: &[f64],
+    states: usize,
+    parameters: usize,
+) -> Vec<(Place, f64)> {
     let mut results = Vec::new();
-    let mut values = values.into_iter();
-    let (states, parameters) = (x.len(), p.len());
+    let mut values = values.iter().copied();
     for section in &function.sections {
-        let taken: Vec<f64> = values.by_ref().take(section.len).collect();
+        let taken = values.by_ref().take(section.len);
         let Some(pattern) = &section.pattern else {
-            let all = taken.iter().enumerate();
-            results.extend(all.map(|(k, &value)| (format!("{} {k}", section.name), value)));
+            results.extend(
+                taken
+                    .enumerate()
+                    .map(|(k, value)| ((section.name, k, 0), value)),
+            );
             continue;
         };
         let columns = match section.name {
@@ -56,12 +97,11 @@ fn full(compiled: &Compiled, function: &Function, x: &[f64], p: &[f64]) -> Vec<(
             "dy_dmarker" => 3,
             _ => parameters,
         };
-        for row in 0..states {
-            for column in 0..columns {
-                let at = |&(r, c): &(u32, u32)| (r as usize, c as usize) == (row, column);
-                let value = pattern.iter().position(at).map_or(0.0, |k| taken[k]);
-                results.push((format!("{} ({row}, {column})", section.name), value));
-            }
+        let first = results.len();
+        let places = (0..states.max(3)).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        results.extend(places.map(|(row, column)| ((section.name, row, column), 0.0)));
+        for (&(row, column), value) in pattern.iter().zip(taken) {
+            results[first + row as usize * columns + column as usize].1 = value;
         }
     }
     results
@@ -71,6 +111,7 @@ fn full(compiled: &Compiled, function: &Function, x: &[f64], p: &[f64]) -> Vec<(
 /// those of `whole` for random states and parameters. Parameters that are not fixed are near their defaults.
 fn check(whole: &Compiled, fixed: &[(usize, f64)], at: &Compiled, random: &mut Random) {
     let (at_rest, falling) = singular(whole);
+    let tapes = [whole, at].map(Tapes::new);
     for k in 0..20 {
         let (mut x, mut p) = point(whole, random);
         match k {
@@ -84,11 +125,10 @@ fn check(whole: &Compiled, fixed: &[(usize, f64)], at: &Compiled, random: &mut R
             p[place] = value;
             unread[place] = f64::NAN;
         }
-        for (known, function) in whole.functions().into_iter().zip(at.functions()).skip(1) {
-            let known = full(whole, known, &x, &p);
-            let got = full(at, function, &x, &unread);
-            assert_eq!(known.len(), got.len(), "{}", function.name);
-            let rows = known.chunk_by(|a, b| row(&a.0) == row(&b.0));
+        let (known, got) = (tapes[0].full(&x, &p), tapes[1].full(&x, &unread));
+        for ((name, known), (_, got)) in known.into_iter().zip(got) {
+            assert_eq!(known.len(), got.len(), "{name}");
+            let rows = known.chunk_by(|((a, i, _), _), ((b, j, _), _)| (a, i) == (b, j));
             let sizes = rows.flat_map(|row| {
                 let size = row.iter().fold(0.0_f64, |m, (_, v)| m.max(v.abs()));
                 row.iter().map(move |_| size)
@@ -96,8 +136,7 @@ fn check(whole: &Compiled, fixed: &[(usize, f64)], at: &Compiled, random: &mut R
             for (((place, a), (_, b)), size) in known.iter().zip(&got).zip(sizes) {
                 assert!(
                     (a - b).abs() <= 1e-12 * size.max(a.abs()).max(1e-9),
-                    "{} {place}: {a}, but {b} at these values",
-                    function.name
+                    "{name} {place:?}: {a}, but {b} at these values"
                 );
             }
         }
@@ -115,10 +154,6 @@ fn singular(compiled: &Compiled) -> (Vec<f64>, Vec<f64>) {
         }
     }
     (at_rest, falling)
-}
-
-fn row(place: &str) -> &str {
-    place.split(',').next().unwrap_or(place)
 }
 
 #[test]

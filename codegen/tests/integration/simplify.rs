@@ -11,7 +11,7 @@ struct Bench {
 
 impl Bench {
     fn new() -> Bench {
-        let mut g = ExprGraph::new();
+        let mut g = ExprGraph::default();
         for k in 0..6 {
             g.symbol(Symbol::State(k));
         }

@@ -1,6 +1,6 @@
 //! Parallel evaluation of independent tasks on several threads, by rayon.
 
-use crate::cancellation::{Flag, carried, current, stop_if_cancelled};
+use crate::cancellation::{carried, current, stop_if_cancelled};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::sync::atomic::Ordering;
@@ -33,36 +33,51 @@ pub fn threads() -> usize {
 /// # Panics
 /// If `task` panics.
 pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
-    let Some(flag) = current() else {
-        return spread(threads, count, task);
-    };
-    // To leave a task out is faster than to unwind from each.
-    let unless_cancelled = |index: usize| {
-        let is_cancelled = flag.load(Ordering::Relaxed);
-        (!is_cancelled).then(|| carried(Some(Flag::clone(&flag)), || task(index)))
-    };
-    let done = spread(threads, count, unless_cancelled);
-    stop_if_cancelled();
-    done.into_iter().flatten().collect()
+    if threads.min(count) <= 1 {
+        let unless_cancelled = |index| {
+            stop_if_cancelled();
+            task(index)
+        };
+        let results = (0..count).map(unless_cancelled).collect();
+        stop_if_cancelled();
+        return results;
+    }
+    let slots: Vec<Mutex<Option<R>>> = (0..count).map(|_| Mutex::default()).collect();
+    spread(threads, count, &|index| {
+        let result = task(index);
+        *slots[index].lock().unwrap_or_else(PoisonError::into_inner) = Some(result);
+    });
+    let results = slots.into_iter().map(Mutex::into_inner);
+    results
+        .filter_map(|slot| slot.unwrap_or_else(PoisonError::into_inner))
+        .collect()
 }
 
-fn spread<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
-    if threads.min(count) <= 1 {
-        return (0..count).map(task).collect();
-    }
+/// Runs the tasks on `threads` threads. Not generic, as the machinery of rayon, compiled for each of the tasks of the
+/// workspace, would be half of the code of some crates.
+fn spread(threads: usize, count: usize, task: &(dyn Fn(usize) + Sync)) {
+    let flag = current();
+    // To leave a task out is faster than to unwind from each.
+    let unless_cancelled = |index: usize| match &flag {
+        Some(flag) if flag.load(Ordering::Relaxed) => {}
+        Some(_) => carried(flag.clone(), || task(index)),
+        None => task(index),
+    };
     // One task at a time per thread, since their durations differ.
-    let parallel = || -> Vec<R> {
+    let parallel = || {
         let tasks = (0..count).into_par_iter().with_max_len(1);
-        tasks.map(&task).collect()
+        tasks.for_each(unless_cancelled);
     };
     if is_in_pool(threads) {
-        return parallel();
+        parallel();
+    } else {
+        match shared_pool(threads) {
+            Ok(pool) => pool.install(parallel),
+            // The operating system refuses further threads.
+            Err(_) => (0..count).for_each(unless_cancelled),
+        }
     }
-    match shared_pool(threads) {
-        Ok(pool) => pool.install(parallel),
-        // The operating system refuses further threads.
-        Err(_) => (0..count).map(&task).collect(),
-    }
+    stop_if_cancelled();
 }
 
 /// Runs `task` in the pool with `threads` threads that [`each_on`] uses, so that its calls of [`each_on`] start sooner:

@@ -27,6 +27,9 @@ pub const SIGNIFICANT: f64 = 5.0;
 /// Ratio of a variance to the median of many above which a sample contains an outlier.
 pub const OUTLIER_VARIANCE: f64 = SIGNIFICANT * SIGNIFICANT;
 
+/// Number of robust standard deviations above which a value is unlike the others; smooth paths are rarely as wrong.
+pub const UNLIKE: f64 = 4.0;
+
 /// Relative standard error of a robust standard deviation of normal values, times the root of their number.
 pub const ROBUST_ERROR: f64 = 1.17;
 
@@ -39,3 +42,12 @@ pub const MAX_GAP: f64 = 1.5;
 
 /// Eigenvalue or squared pivot of a matrix with unit diagonal, below which a direction depends on the others.
 pub const RANK: f64 = 1e-12;
+
+/// Number of neighbours on each side of a sample by which it is judged; two of them may be outliers.
+pub const NEIGHBOURS: usize = 4;
+
+/// Number of samples from which the noise of a series is estimated.
+pub const MIN_SERIES: usize = 20;
+
+/// Number of flights from which statements are made of the differences between flights.
+pub const MIN_POPULATION: usize = 4;

@@ -2,6 +2,8 @@
 
 use std::ops::{Deref, DerefMut};
 
+use crate::levels::MIN_SERIES;
+
 /// Noise of all channels: one AR(1) process per noise group. Dereferences to that of the first group, the markers' if
 /// there are any.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,9 +31,6 @@ pub fn group_count(group_of: &[usize]) -> usize {
 
 /// Maximum magnitude of the estimated autocorrelation; a higher one indicates model error.
 const MAX_AR1: f64 = 0.9;
-
-/// Minimum number of pairs of neighbouring residuals for an estimate of the autocorrelation.
-const MIN_PAIRS: usize = 20;
 
 impl NoiseModel {
     /// White noise of standard deviation `sigma` (m) of every channel, for a sampling interval in s.
@@ -218,7 +217,7 @@ impl Moments {
         });
         let ar1 = [0, 1, 2].map(|axis| {
             // Few pairs do not determine an autocorrelation.
-            if self.pairs < MIN_PAIRS || self.neighbours[axis] <= 0.0 {
+            if self.pairs < MIN_SERIES || self.neighbours[axis] <= 0.0 {
                 return 0.0;
             }
             let correlation = self.products[axis] / self.neighbours[axis];

@@ -8,14 +8,11 @@
 
 use nalgebra::{Matrix4, Vector3, Vector4};
 
-use crate::levels::{MAX_GAP, OUTLIER_VARIANCE};
+use crate::levels::{MAX_GAP, NEIGHBOURS as SIDE, OUTLIER_VARIANCE};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, point_position};
 use dataset::statistics::{median_of, median_vector, robust_sigma};
-
-/// Number of neighbours on each side of a sample through which a cubic is fitted.
-const SIDE: usize = 4;
 
 /// Maximum and minimum number of samples of one flight that are compared; longer flights are subsampled.
 const COMPARED: (usize, usize) = (60, 8);

@@ -5,13 +5,11 @@ use std::ops::Range;
 
 use flight::parallel;
 
+use crate::levels::NEIGHBOURS as SIDE;
 use crate::noise::{NoiseModel, OUTLIER_LIMIT, group_count};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::statistics::{median, median_of, robust_sigma};
-
-/// Number of neighbours on each side of a value; two of them may be outliers.
-const SIDE: usize = 4;
 
 /// Minimum number of measured values of a channel for outlier detection.
 const MIN_POINTS: usize = 5;

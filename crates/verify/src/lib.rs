@@ -167,7 +167,7 @@ fn backends(model: &Model, compiled: &Compiled, options: &Options) -> [Row; 2] {
     let runs = checks::backends::runs(model, compiled, &points);
     [
         checks::backends::check(compiled, &runs),
-        checks::backends::check_fma_at(compiled, &points, &runs),
+        checks::backends::check_fma(compiled, &points, &runs),
     ]
 }
 

@@ -17,6 +17,7 @@ use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail};
 use clap::{Parser, Subcommand};
+use shared_features as _;
 
 #[derive(Parser)]
 #[command(
@@ -135,13 +136,14 @@ fn lint(root: &Path) -> Result<()> {
     section("studies");
     let studies = ["--manifest-path", "studies/Cargo.toml"];
     cargo(root, &[&["fmt", "--check"], &studies[..]].concat(), &[])?;
+    let target = std::env::var("CARGO_TARGET_DIR").unwrap_or_else(|_| "target".to_owned());
     let clippy = [
         "clippy",
         "--all-targets",
         "--locked",
         "--quiet",
         "--target-dir",
-        "target",
+        &target,
     ];
     cargo(
         root,

@@ -23,3 +23,17 @@ pub fn told(command: &mut Command) -> (i32, String, String) {
         text(output.stderr),
     )
 }
+
+/// Asserts that a page loads nothing.
+pub fn loads_nothing(page: &str) {
+    for load in [
+        "src=\"http",
+        "href=\"http",
+        "@import",
+        "url(http",
+        "<script src",
+        "<link",
+    ] {
+        assert!(!page.contains(load), "{load}");
+    }
+}

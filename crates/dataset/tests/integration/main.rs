@@ -10,4 +10,5 @@ mod sensors;
 mod summaries;
 mod support;
 mod synthesize;
+mod takes;
 mod written;

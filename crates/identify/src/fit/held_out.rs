@@ -14,6 +14,7 @@ use crate::error::FlightError;
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::least_squares::{StoppingCriteria, eliminate};
+use crate::levels::MIN_POPULATION;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::outliers;
@@ -25,9 +26,6 @@ use dataset::{Dataset, Flight, SummaryEvent};
 
 /// Fraction of the samples of a held-out flight to which its initial state is fitted; the rest is predicted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;
-
-/// Number of fitted flights from which the values of a state in them are a prior for other flights.
-const POPULATION: usize = 4;
 
 /// Priors of the states that effects add or that stand for unknown quantities, by their values in the fitted flights:
 /// the first samples of a flight may not determine them. Those of effects are about their null values, so that an
@@ -59,7 +57,7 @@ pub fn population(
         let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
         // The variance of a further value about the mean of the others.
         let sigma = (squares / freedom * (1.0 + 1.0 / count)).sqrt();
-        (values.len() >= POPULATION && sigma > 0.0).then_some(StatePrior {
+        (values.len() >= MIN_POPULATION && sigma > 0.0).then_some(StatePrior {
             state: StateId::new(state),
             mean,
             sigma,

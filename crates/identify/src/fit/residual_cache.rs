@@ -10,7 +10,7 @@ use super::{Fit, FitError, flight_error};
 use crate::error::FlightError;
 use crate::ids::FlightId;
 use crate::least_squares::{FailedFlight, Solution, SolveError, StoppingCriteria, solve_after};
-use crate::levels::ROBUST_ERROR;
+use crate::levels::{ROBUST_ERROR, UNLIKE};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::predict::{Loss, Residuals, residuals, residuals_of, robust_scale, states};
@@ -21,9 +21,6 @@ use dataset::statistics::median_of;
 /// Trajectories and residuals of all flights for one set of values of the unknowns.
 #[derive(Default)]
 pub struct ResidualCache(Vec<CachedFlight>);
-
-/// Size at which residuals are clipped in the deviance, in units of the residual scale: outliers tell nothing.
-const CLIPPED: f64 = 4.0;
 
 struct CachedFlight {
     path: Result<Path, FlightError>,
@@ -101,9 +98,9 @@ impl ResidualCache {
         self.median_scale().max(problem.sigma0)
     }
 
-    /// Sum of the squares of all residuals, m², clipped at [`CLIPPED`] times `scale`, m, and their number.
+    /// Sum of the squares of all residuals, m², clipped at [`UNLIKE`] times `scale`, m, and their number.
     pub fn clipped_squares(&self, scale: f64) -> (f64, usize) {
-        let limit = CLIPPED * scale;
+        let limit = UNLIKE * scale;
         let paths = self.0.iter().filter_map(|flight| flight.path.as_ref().ok());
         let residuals = paths.flat_map(|path| path.residuals.iter().flatten().flatten().flatten());
         residuals.fold((0.0, 0), |(squares, count), residual| {

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
 use crate::error::FlightError;
-use crate::levels::OUTLIER_VARIANCE;
+use crate::levels::{OUTLIER_VARIANCE, UNLIKE};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, point_position, pose};
@@ -145,9 +145,6 @@ pub fn first_motion(
     Ok(motion)
 }
 
-/// Ratio of a squared distance from the parabola to the median, above which a position is an outlier.
-const MAX_SQUARES_RATIO: f64 = 16.0;
-
 /// Maximum number of fits of the parabola again without outliers, and number of positions that must remain.
 const REFITS: (usize, usize) = (2, 4);
 
@@ -156,7 +153,7 @@ fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
     let mut kept: Vec<&MeasuredFrame> = seen.iter().collect();
     let mut parabola = Parabola::through(&kept);
     for _ in 0..REFITS.0 {
-        let limit = MAX_SQUARES_RATIO * median(&mut parabola.squares.clone());
+        let limit = UNLIKE * UNLIKE * median(&mut parabola.squares.clone());
         let distances = kept.iter().zip(&parabola.squares);
         let near = distances.filter(|(_, squares)| **squares <= limit);
         let near: Vec<&MeasuredFrame> = near.map(|(frame, _)| *frame).collect();

@@ -10,13 +10,11 @@ use rand_distr::{Distribution, Normal};
 use super::FittedFlight;
 use crate::fit::Fit;
 use crate::least_squares::{NormalBlock, pseudo_inverse};
+use crate::levels::MIN_SERIES;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::{each_residual, residuals};
 use crate::report::InputNoise;
-
-/// Number of samples from which differences show the noise of an input.
-const MIN_SAMPLES: usize = 20;
 
 /// Orders of the differences that show the noise of an input. In each further one a signal becomes smaller beside the
 /// noise where its periods have three samples or more; beyond six, few samples of a flight are left.
@@ -77,7 +75,7 @@ impl InputNoise {
 /// Standard deviation of the noise of a recorded input: the least by its differences of [`ORDERS`]; 0 for too few samples.
 fn sigma(series: &InputSeries) -> f64 {
     let mut differences: Vec<f64> = series.samples().map(|(_, value)| value).collect();
-    if differences.len() < MIN_SAMPLES {
+    if differences.len() < MIN_SERIES {
         return 0.0;
     }
     let (mut least, mut variance) = (f64::INFINITY, 1.0);

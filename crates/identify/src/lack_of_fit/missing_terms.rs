@@ -10,13 +10,14 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use statrs::statistics::Statistics;
 
-use super::{FittedFlight, INTEGRATION_ERROR};
+use super::FittedFlight;
 use crate::error::FitError;
 use crate::fit::{Fit, flight_error};
 use crate::least_squares::{
     NormalBlock, SchurComplement, TestedParameters, add_priors, pseudo_inverse,
 };
 use crate::predict::{Target, linearise_with_terms, targets};
+use crate::problem::RESIDUAL_TOLERANCE;
 use crate::report::MissingTerm;
 
 /// Largest deviation of a quantity from its mean, in its standard deviations, that counts: a ratio may have poles.
@@ -75,7 +76,7 @@ impl MissingTerm {
         };
         Ok(most_significant(fit, &reduced, is_constant).map(|found| {
             let count: usize = reduced.iter().map(|flight| flight.count).sum();
-            let by_integration = INTEGRATION_ERROR * problem.sigma0 / fit.noise().overall();
+            let by_integration = RESIDUAL_TOLERANCE * problem.sigma0 / fit.noise().overall();
             let score = found.chi2.sqrt() / by_integration.max(1.0);
             let p_value =
                 StudentsT::new(0.0, 1.0, count as f64).map_or(1.0, |by| 2.0 * by.sf(score));

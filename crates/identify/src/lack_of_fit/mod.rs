@@ -21,6 +21,7 @@ use crate::fit::{Fit, flight_error};
 use crate::ids::FlightId;
 use crate::observations::Observations;
 use crate::predict::each_residual;
+use crate::problem::RESIDUAL_TOLERANCE;
 use crate::report::{
     FlightEvidence, InputNoise, LACK_OF_FIT_LEVEL, LackOfFit, MissingTerm, SmoothMisfit,
 };
@@ -36,9 +37,6 @@ const KNOTS_PER_PERIOD: f64 = 4.0;
 
 /// Minimum knot interval, in samples; faster changes are noise.
 const MIN_SAMPLES_PER_KNOT: f64 = 3.0;
-
-/// Assumed integration error of the residuals, in units of `sigma0`; smaller noise cannot be told from 0.
-const INTEGRATION_ERROR: f64 = 0.02;
 
 /// Maximum number of flights whose largest smooth deviation is listed in the result of the lack-of-fit test.
 const MAX_DESCRIBED: usize = 6;
@@ -92,7 +90,8 @@ impl LackOfFit {
         let Some(floor) = NoiseFloor::estimate(&series, channels, interval, threads) else {
             return Ok(None);
         };
-        let sigma0 = INTEGRATION_ERROR * fit.problem().sigma0;
+        // Smaller noise cannot be told from 0.
+        let sigma0 = RESIDUAL_TOLERANCE * fit.problem().sigma0;
         let least_ratio = sigma0 / floor.noise.overall();
         let misfits = parallel::each_on(threads, kept.len(), |index| {
             let with = kept[index].with_derivatives(fit, &series[index])?;

@@ -11,7 +11,7 @@ use super::loads::{Regression, Row, regress, rows};
 use super::mirror::{MEND, UPRIGHT, reflection, transformed_track, upright};
 use super::track::Track;
 use crate::error::{DataFault, FaultKind};
-use crate::levels::CLEARLY_SMALLER;
+use crate::levels::{CLEARLY_SMALLER, MIN_POPULATION};
 use crate::problem::FitProblem;
 use dataset::statistics::{median, median_of, median_vector};
 use dataset::{Dataset, Flight, KnownValue};
@@ -35,8 +35,6 @@ const MAX_MENDED: f64 = 0.4;
 const NOISE: f64 = 2.5;
 /// Weight of the scatter of the accelerations in a misfit.
 const SCATTER_PART: f64 = 0.25;
-/// Minimum number of flights for the comparison of single ones.
-const MIN_FLIGHTS: usize = 4;
 
 /// For each axis that may point up: its name, the axes to be written as x, y and z, and the matrix that does it.
 fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
@@ -224,7 +222,7 @@ impl<'a> FreeFall<'a> {
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
         let misfits: Vec<Option<f64>> = self.rows.iter().map(|rows| misfit(rows)).collect();
         let mut known: Vec<f64> = misfits.iter().flatten().copied().collect();
-        if known.len() < MIN_FLIGHTS {
+        if known.len() < MIN_POPULATION {
             return Vec::new();
         }
         let usual = median(&mut known);

@@ -3,13 +3,12 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::ground_contact::{self, ContactSearch, PathPoint};
+use crate::levels::UNLIKE;
 use crate::noise_floor::path_noise;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, pose};
 use dataset::statistics::robust_sigma;
 
-/// Maximum residual about the parabola of a window, in robust standard deviations.
-const OUTLIER: f64 = 4.0;
 /// Minimum number of points of a measured path to which a parabola is fitted.
 pub const MIN_POINTS: usize = 6;
 /// Target standard error of the acceleration in a window, relative to the flight's mean acceleration.
@@ -143,7 +142,7 @@ pub fn parabola(points: &[PathPoint], noise: f64) -> Option<Parabola> {
         let robust = robust_sigma(&mut sizes).max(noise);
         let keep: Vec<bool> = points
             .iter()
-            .map(|p| residual(p).amax() <= OUTLIER * robust.max(1e-9))
+            .map(|p| residual(p).amax() <= UNLIKE * robust.max(1e-9))
             .collect();
         let left = keep.iter().filter(|keep| **keep).count();
         if pass > 0 || keep == kept || left < MIN_POINTS {

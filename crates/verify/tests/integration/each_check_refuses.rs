@@ -234,12 +234,12 @@ fn fused_and_not() {
         return;
     };
     assert_eq!(
-        backends::check_fma(&compiled, &runs).verdict,
+        backends::check_fma(&compiled, &[], &runs).verdict,
         Verdict::Holds
     );
     let last = runs[fused].results[0].last_mut().unwrap();
     *last *= 1.0 + 1e-11;
-    let row = backends::check_fma(&compiled, &runs);
+    let row = backends::check_fma(&compiled, &[], &runs);
     assert_eq!(
         (row.verdict, row.detail.as_str()),
         (Verdict::Refuted, "limits")

@@ -147,7 +147,7 @@ fn last_bit_changed(base: &Base) -> Row {
 /// Result of the comparison of backends with and without fused multiply-add if one result is wrong by 1.
 fn off_by_one(base: &Base) -> Row {
     let (compiled, runs) = changed_run(base, false, |v| v + 1.0);
-    backends::check_fma(&compiled, &runs)
+    backends::check_fma(&compiled, &[], &runs)
 }
 
 /// Result of the exact rigid-body check for code that was compiled with `from` replaced by `to` in the model text.

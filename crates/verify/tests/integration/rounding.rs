@@ -157,7 +157,10 @@ fn a_constant_of_the_code_that_is_off_by_1e_13_is_refuted() {
     assert!(changed > 0);
     let wrong = backends::runs(&model, &mutant, &points);
     assert_eq!(backends::check(&mutant, &wrong).verdict, Verdict::Holds);
-    assert_eq!(backends::check_fma(&mutant, &wrong).verdict, Verdict::Holds);
+    assert_eq!(
+        backends::check_fma(&mutant, &[], &wrong).verdict,
+        Verdict::Holds
+    );
     let row = row(&of_runs(&compiled, &wrong, &points));
     assert_eq!(row.verdict, Verdict::Refuted, "{row:?}");
 }

@@ -111,9 +111,9 @@ fn random_systems_are_solved_as_by_nalgebra_with_exact_derivatives() {
             prepared: &prepared,
         };
         let (mut dx, mut scratch) = (vec![0.0; count], Scratch::default());
-        let mut j = vec![0.0; tape.f_jac.pattern("j").len()];
-        tape.f_jac
-            .eval(at, &[], &mut scratch, &mut [&mut dx, &mut j]);
+        let [mut j, mut jp] = ["j", "jp"].map(|name| vec![0.0; tape.f_jac_par.pattern(name).len()]);
+        tape.f_jac_par
+            .eval(at, &[], &mut scratch, &mut [&mut dx, &mut j, &mut jp]);
         let error = (DVector::from_vec(dx.clone()) - &expected).norm();
         let bound = 4.0 * count as f64 * f64::EPSILON * condition * expected.norm();
         assert!(error <= bound, "{error:e} > {bound:e} for\n{text}");
@@ -122,7 +122,7 @@ fn random_systems_are_solved_as_by_nalgebra_with_exact_derivatives() {
             moving.states[column].derivative = 1.0;
             let rates = derivatives(&model, &moving).unwrap();
             let scale = { rates.iter() }.fold(1.0, |most: f64, own| most.max(own.derivative.abs()));
-            for (&(row, _), value) in { tape.f_jac.pattern("j").iter().zip(&j) }
+            for (&(row, _), value) in { tape.f_jac_par.pattern("j").iter().zip(&j) }
                 .filter(|((_, of), _)| *of as usize == column)
             {
                 let expected = rates[row as usize].derivative;

@@ -22,10 +22,12 @@ fn both_take_the_derivative_of_the_second_argument() {
         p,
         prepared: &prepared,
     };
-    let pattern = tape.f_jac.pattern("j");
+    let pattern = tape.f_jac_par.pattern("j");
     let (mut dx, mut entries) = (vec![0.0; 2], vec![0.0; pattern.len()]);
-    let results = &mut [&mut dx[..], &mut entries];
-    tape.f_jac.eval(at, &[], &mut Scratch::default(), results);
+    let mut by_parameters = vec![0.0; tape.f_jac_par.pattern("jp").len()];
+    let results = &mut [&mut dx[..], &mut entries, &mut by_parameters];
+    tape.f_jac_par
+        .eval(at, &[], &mut Scratch::default(), results);
     let mut found = [[0.0; 2]; 2];
     for (&(row, column), value) in pattern.iter().zip(&entries) {
         found[row as usize][column as usize] = *value;

@@ -11,7 +11,7 @@ use flight::release::{Release, Vocabulary, read_in_wind};
 use model_spec::model::Model;
 use ode::{IntegrationOptions, Method};
 
-const PLATE: &str = include_str!("../../../../analysis/tests/design/support/plate.hyz");
+const PLATE: &str = include_str!("../../../../analysis/tests/integration/support/plate.hyz");
 
 /// Names of built-in models, and of the test model `plate`, which names no velocity of the air `air`.
 const MODELS: [&str; 6] = [

@@ -140,14 +140,9 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     }
 }
 
-/// Compares the first backends that fuse and that do not, relative to the largest result of the function.
-pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
-    check_fma_at(compiled, &[], runs)
-}
-
-/// Compares as [`check_fma`] does; at the given points of the runs, a difference may also be that of the roundings of the
-/// terms of a value, which may cancel.
-pub(crate) fn check_fma_at(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> Row {
+/// Compares the first backends that fuse and that do not, relative to the largest result of the function; at the given
+/// points of the runs, a difference may also be that of the roundings of the terms of a value, which may cancel.
+pub fn check_fma(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
         return Row::skipped(FMA, "no backend fuses on this machine");
     };

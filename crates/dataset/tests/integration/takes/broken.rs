@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::support::{self, read};
+use super::support::{self, read};
 use dataset::takes::{Format, LengthUnit, ReadOptions};
 
 /// Parses each malformed recording, which must fail. Returns a text with the name of each case and its error message.

@@ -1,6 +1,6 @@
 //! The template is found from free flights that an integrator of the test's own made.
 
-use crate::support::spun::{Flights, Plan, USUAL, flights};
+use super::support::spun::{Flights, Plan, USUAL, flights};
 use dataset::takes::{
     CentreHeight, EstimatedTemplate, FreeFlight, TemplateError, estimate_template,
 };
@@ -78,9 +78,9 @@ fn over_seeds(plan: &Plan, seeds: u64) -> Counts {
 
 #[test]
 fn the_markers_are_found_within_a_millimetre_and_their_standard_errors() {
-    let counts = over_seeds(&USUAL, 100);
-    assert!(counts.across >= 95 && counts.along >= 95, "{counts:?}");
-    assert!(counts.heights >= 50, "{counts:?}");
+    let counts = over_seeds(&USUAL, 40);
+    assert!(counts.across >= 38 && counts.along >= 38, "{counts:?}");
+    assert!(counts.heights >= 20, "{counts:?}");
     assert!(
         counts.heights_within * 100 >= counts.heights * 95,
         "{counts:?}"
@@ -93,9 +93,9 @@ fn a_body_that_wobbles_much_shows_the_height_of_its_centre() {
         wobble: 6.0,
         ..USUAL
     };
-    let counts = over_seeds(&plan, 60);
-    assert!(counts.across >= 57 && counts.along >= 57, "{counts:?}");
-    assert!(counts.heights >= 54, "{counts:?}");
+    let counts = over_seeds(&plan, 30);
+    assert!(counts.across >= 29 && counts.along >= 29, "{counts:?}");
+    assert!(counts.heights >= 27, "{counts:?}");
     assert!(
         counts.heights_within * 100 >= counts.heights * 95,
         "{counts:?}"

@@ -7,7 +7,7 @@ use flight::release::{Vocabulary, read_in_wind};
 use flight::{CompiledModel, simulate};
 use ode::{IntegrationOptions, Method};
 
-const PLATE: &str = include_str!("design/support/plate.hyz");
+const PLATE: &str = include_str!("support/plate.hyz");
 const HEAD: &str = "model = \"plate.hyz\"\nuntil = \"ground\"\n[throw]\nspeed = 20.0\nlaunch = 8.0\nheight = 1.5\nnose = 2.0\nspin = 700.0\nhyzer = 10.0\n";
 
 fn wind(speed: f64, roughness: f64, flight: u64) -> String {

@@ -1,12 +1,12 @@
 //! Recordings made for tests: one motion in every format.
 
-#[path = "../../../../dataset/tests/integration/support/c3d.rs"]
-pub mod c3d;
 pub mod clean;
 pub mod spun;
 pub mod thrown;
 
 use std::path::Path;
+
+pub use crate::support::c3d;
 
 use dataset::takes::{ReadOptions, Take, parse};
 

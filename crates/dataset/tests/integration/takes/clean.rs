@@ -1,6 +1,6 @@
 //! A recording of nothing but a free flight is one throw from its first sample to its last.
 
-use crate::support::clean::clean_flight;
+use super::support::clean::clean_flight;
 use dataset::takes::{Cause, ThrowOptions, find_throws};
 
 #[test]

@@ -1,6 +1,6 @@
 //! One motion in every format: each reader gives the same positions, poses and times.
 
-use crate::support::{self, LABELS, RATE, SAMPLES, attitude, read, truth};
+use super::support::{self, LABELS, RATE, SAMPLES, attitude, read, truth};
 use dataset::takes::{Axis, Format, LengthUnit, ReadOptions, Take, TimeUnit};
 
 fn options() -> ReadOptions {

@@ -1,7 +1,7 @@
 //! Throws of made recordings are cut where they were released and where they ended.
 
-use crate::support::read;
-use crate::support::thrown::{End, Made, recording};
+use super::support::read;
+use super::support::thrown::{End, Made, recording};
 use dataset::takes::{Axis, Cause, ReadOptions, Take, ThrowOptions, find_throws};
 
 /// Maximum permitted error of a detected release or end of a flight, samples.

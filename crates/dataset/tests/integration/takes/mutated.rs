@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use crate::support::{self, read};
+use super::support::{self, read};
 use dataset::takes::{LengthUnit, ReadOptions, ThrowOptions, TimeUnit, find_throws};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -1,0 +1,11 @@
+//! Integration tests of the analyses: design of throws, modes of the linearised motion, sweeps.
+
+mod bounds;
+mod eigenvalues;
+mod gradients;
+mod spread;
+mod support;
+#[cfg(feature = "sweep")]
+mod sweep_wind;
+mod tasks;
+mod wind;
