@@ -9,7 +9,7 @@ use model_spec::compose::EffectTree;
 use model_spec::index::IndexVec;
 use model_spec::layout::{Layout, ParamId, QuantityId};
 use model_spec::term_library::{ChannelId, Term, TermLibrary, VariableId};
-use ode::DifferentiableRhs;
+use ode::{DifferentiableRhs, Projection};
 
 use super::columns::TermId;
 
@@ -172,6 +172,10 @@ impl<B: FnMut(f64, &[f64], &mut [f64])> DifferentiableRhs for BasisLoads<'_, B> 
         for (to, &(entry, index)) in basis.iter_mut().zip(&self.sources) {
             *to = own[entry] * self.values[index];
         }
+    }
+
+    fn projection(&self) -> Option<Projection> {
+        DifferentiableRhs::projection(&self.motion)
     }
 
     fn state_name(&self, state: usize) -> Cow<'_, str> {
