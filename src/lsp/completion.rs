@@ -5,6 +5,7 @@ use model_spec::unit::symbol;
 use serde_json::{Value, json};
 
 use super::document::Document;
+use super::facts;
 use super::hover::facts_of;
 use super::includes;
 use super::project::Project;
@@ -14,6 +15,20 @@ use super::words::{INNER, built_in, statements};
 const COMPOUND: [&str; 18] = [
     "kg", "mm", "cm", "km", "ms", "m/s", "m/s^2", "rad/s", "kg*m^2", "kg/m^3", "N*m", "N*m*s",
     "m^2", "km/h", "/s", "/rad", "/rad^2", "mN",
+];
+
+/// Quantities of a body after the first one: what its name follows, and their meaning.
+const OF_BODY: [(&str, &str); 7] = [
+    ("position_of", "position of the mass centre"),
+    ("velocity_of", "velocity of the mass centre"),
+    ("angular_velocity_of", "angular velocity"),
+    (
+        "angular_momentum_of",
+        "angular momentum about the mass centre",
+    ),
+    ("mass_of", "mass"),
+    ("force_on", "sum of the forces"),
+    ("moment_on", "sum of the moments about the mass centre"),
 ];
 
 /// What may stand at a place.
@@ -50,6 +65,7 @@ pub fn complete(document: &Document, project: &Project<'_>, position: &Value) ->
             if is_in_solve(before) {
                 // An equation begins with any name.
                 items.extend(names(project, at, |kind| !is_heading(kind)));
+                items.extend(of_bodies(project));
                 items.extend(words(&built_in(), 3));
             }
             Value::Array(items)
@@ -66,6 +82,7 @@ pub fn complete(document: &Document, project: &Project<'_>, position: &Value) ->
         }
         Place::Expression => {
             let mut items = names(project, at, |kind| !is_heading(kind));
+            items.extend(of_bodies(project));
             items.extend(words(&built_in(), 3));
             items.extend(words(&INNER.map(|word| (word, "", "")), 14));
             Value::Array(items)
@@ -182,6 +199,23 @@ fn names(project: &Project<'_>, at: usize, is_wanted: impl Fn(SymbolKind) -> boo
     let known = project.symbols.known_at(at);
     let known = known.filter(|own| is_wanted(own.kind));
     known.map(|own| item(project, own)).collect()
+}
+
+/// Quantities of each body that its model has by the name of the body.
+fn of_bodies(project: &Project<'_>) -> Vec<Value> {
+    let Some(model) = project.model else {
+        return Vec::new();
+    };
+    let declarations = project.symbols.declarations.iter();
+    let bodies = declarations.filter(|own| own.kind == SymbolKind::Body);
+    let all = bodies.flat_map(|body| {
+        OF_BODY.iter().filter_map(|(words, doc)| {
+            let name = format!("{words}_{}", body.name);
+            let facts = facts::of_value(model, &name)?;
+            Some(json!({ "label": name, "kind": 6, "detail": facts.of, "documentation": doc }))
+        })
+    });
+    all.collect()
 }
 
 fn item(project: &Project<'_>, own: &Declaration) -> Value {

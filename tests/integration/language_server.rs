@@ -7,20 +7,19 @@ use std::process::{Child, ChildStdin, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
-use model_spec::load::{EFFECTS, MODELS};
 use model_spec::model::Function;
 use serde_json::{Value, json};
 
 use crate::support::hyzer;
 
 /// Time within which an answer must come.
-const PATIENCE: Duration = Duration::from_secs(30);
+pub const PATIENCE: Duration = Duration::from_secs(30);
 
 /// Time without an answer after which none is expected, where transcripts are written.
 const SILENCE: Duration = Duration::from_millis(300);
 
 /// A running server.
-struct Server {
+pub struct Server {
     child: Child,
     input: Option<ChildStdin>,
     answers: Receiver<Value>,
@@ -50,7 +49,7 @@ impl Server {
     }
 
     /// A server with an open text.
-    fn with_text(uri: &str, text: &str) -> Self {
+    pub fn with_text(uri: &str, text: &str) -> Self {
         let mut server = Self::new();
         server.asked("initialize", &json!({}));
         let own = json!({ "uri": uri, "version": 1, "text": text });
@@ -66,24 +65,33 @@ impl Server {
         let _ = pipe.write_all(text.as_bytes());
     }
 
-    fn send(&mut self, message: &Value) {
+    pub fn send(&mut self, message: &Value) {
         self.write(&framed(&message.to_string()));
     }
 
-    fn answer(&self, patience: Duration) -> Option<Value> {
+    pub fn answer(&self, patience: Duration) -> Option<Value> {
         self.answers.recv_timeout(patience).ok()
     }
 
     /// Answer to a request.
-    fn asked(&mut self, method: &str, parameters: &Value) -> Value {
+    pub fn asked(&mut self, method: &str, parameters: &Value) -> Value {
         self.send(&json!({ "id": method, "method": method, "params": parameters }));
         let answer = self.answer(PATIENCE).expect("an answer");
         assert_eq!(answer["id"], method);
         answer
     }
 
+    /// A line of what the system says of the process, by the file and the word that the line begins with; `None` where
+    /// there is no such file.
+    pub fn process(&self, file: &str, word: &str) -> Option<String> {
+        let path = format!("/proc/{}/{file}", self.child.id());
+        let text = fs::read_to_string(path).ok()?;
+        let line = text.lines().find_map(|line| line.strip_prefix(word))?;
+        Some(line.trim().to_owned())
+    }
+
     /// Ends the input; returns the exit status and the answers that were not read.
-    fn end(mut self) -> (Option<i32>, Vec<Value>) {
+    pub fn end(mut self) -> (Option<i32>, Vec<Value>) {
         self.input = None;
         let rest: Vec<Value> = self.answers.iter().collect();
         let mut errors = String::new();
@@ -337,62 +345,28 @@ fn names_of_included_files_are_those_of_the_model() {
     let _ = fs::remove_dir_all(&folder);
 }
 
-/// Random edits, and everything that can be asked, on texts of the repository; `EDITS` says how many.
 #[test]
-fn random_edits_do_no_harm() {
-    let count = std::env::var("EDITS").map_or(300, |count| count.parse().expect("a number"));
-    let mut seed = 20_261_127_u64;
-    let mut random = move |below: usize| {
-        // SplitMix64.
-        seed = seed.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = (seed ^ (seed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) % below as u64) as usize
-    };
-    let texts: Vec<&str> = MODELS
-        .iter()
-        .chain(EFFECTS)
-        .map(|(_, text)| *text)
+fn quantities_of_further_bodies_are_completed() {
+    let text = "model two;\nframe N;\npoint a { mass 1 kg; position (x, y, z) in N; velocity (u, v, w) in N; }\n\
+        point b { mass 2 kg; position (x_b, y_b, z_b) in N; velocity (u_b, v_b, w_b) in N; }\n\
+        force pull = -(1 [N/m])*(position - position_of_b);\nlet d = ";
+    let whole = format!("{text}norm(position_of_b);\n");
+    let mut server = Server::with_text("file:///two.hyz", &whole);
+    let place = json!({ "line": 5, "character": 8 });
+    let parameters = json!({ "textDocument": { "uri": "file:///two.hyz" }, "position": place });
+    let answer = server.asked("textDocument/completion", &parameters);
+    let items = answer["result"].as_array().expect("items").iter();
+    let found: Vec<(&str, &str)> = items
+        .filter_map(|item| Some((item["label"].as_str()?, item["detail"].as_str()?)))
+        .filter(|(label, _)| label.ends_with("_b"))
         .collect();
-    let uri = "file:///random.hyz";
-    let mut server = Server::with_text(uri, texts[0]);
-    let methods = [
-        "hover",
-        "definition",
-        "references",
-        "documentHighlight",
-        "prepareRename",
-        "rename",
-        "documentSymbol",
-        "completion",
-        "codeAction",
-        "formatting",
-        "inlayHint",
-        "semanticTokens/full",
-    ];
-    for edit in 0..count {
-        let position = |random: &mut dyn FnMut(usize) -> usize| json!({ "line": random(130), "character": random(60) });
-        let (start, end) = (position(&mut random), position(&mut random));
-        let near = json!({ "line": start["line"], "character": random(60) });
-        let end = if random(20) == 0 { end } else { near };
-        let own = texts[random(texts.len())];
-        let from = own.floor_char_boundary(random(own.len()));
-        let to = own.floor_char_boundary(from + random(12));
-        let change = match random(150) {
-            0 => json!({ "text": own }),
-            _ => json!({ "range": { "start": start, "end": end }, "text": &own[from..to] }),
-        };
-        let document = json!({ "uri": uri, "version": edit });
-        let parameters = json!({ "textDocument": document, "contentChanges": [change] });
-        server.send(&json!({ "method": "textDocument/didChange", "params": parameters }));
-        let notice = server.answer(PATIENCE).expect("the errors of the text");
-        assert_eq!(notice["method"], "textDocument/publishDiagnostics");
-        let method = format!("textDocument/{}", methods[random(methods.len())]);
-        let parameters = json!({
-            "textDocument": document, "position": position(&mut random), "newName": "other",
-            "range": { "start": start, "end": end },
-        });
-        server.asked(&method, &parameters);
+    for (name, of) in [
+        ("position_of_b", "vector m in N"),
+        ("velocity_of_b", "vector m/s in N"),
+        ("force_on_b", "vector N in N"),
+    ] {
+        assert!(found.contains(&(name, of)), "{name}: {found:?}");
     }
-    assert_eq!(server.end().1, Vec::<Value>::new());
+    let names = |wanted: &str| found.iter().any(|(name, _)| *name == wanted);
+    assert!(names("mass_of_b") && !names("moment_on_b"), "{found:?}");
 }

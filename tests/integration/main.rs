@@ -7,6 +7,7 @@ mod cli;
 mod dask;
 mod design;
 mod diagnose;
+mod editing;
 mod export;
 mod fit;
 mod format;

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use model_spec::layout::ParamId;
-use ode::DifferentiableRhs;
+use ode::{DifferentiableRhs, Projection};
 
 use crate::{BoundModel, ModelRhs};
 
@@ -89,8 +89,8 @@ impl<B: FnMut(f64, &[f64], &mut [f64])> DifferentiableRhs for BasisLoads<'_, B> 
         }
     }
 
-    fn project(&mut self, t: f64, x: &mut [f64]) -> bool {
-        DifferentiableRhs::project(&mut self.motion, t, x)
+    fn projection(&self) -> Option<Projection> {
+        DifferentiableRhs::projection(&self.motion)
     }
 
     fn time_breaks(&self) -> &[f64] {

@@ -5,6 +5,7 @@ use crate::{
     BoundConstraints, CompiledModel, EvaluationPoint, ModelFunctions, ModelState, Workspace,
 };
 use ode::{Event, StateVector};
+use std::sync::Arc;
 
 /// Compiled model with a value for each parameter; created by [`CompiledModel::bind`].
 pub struct BoundModel<'a> {
@@ -14,7 +15,7 @@ pub struct BoundModel<'a> {
     prepared: Vec<f64>,
     /// Times at which the right-hand side is not smooth, s, increasing.
     pub(crate) time_breaks: Vec<f64>,
-    pub(crate) constraints: Option<BoundConstraints<'a>>,
+    pub(crate) constraints: Option<Arc<BoundConstraints>>,
 }
 
 impl CompiledModel {
@@ -23,7 +24,7 @@ impl CompiledModel {
     pub fn bind(&self, parameters: impl Into<FlightParameters>) -> BoundModel<'_> {
         let parameters: FlightParameters = parameters.into();
         let constraints = self.constraints.as_ref();
-        let constraints = constraints.map(|own| own.bind(parameters.constants.clone()));
+        let constraints = constraints.map(|own| Arc::new(own.bind(parameters.constants.clone())));
         let FlightParameters { constants, inputs } = parameters;
         let mut prepared = vec![0.0; self.functions.prepared_len()];
         self.functions.prepare(&constants, &mut prepared);
@@ -71,6 +72,12 @@ impl BoundModel<'_> {
                 Event::limit(reason, move |t, _: &X| end - t)
             });
         of_model.chain(of_inputs).collect()
+    }
+
+    /// Index, among the limits of validity, of the first with this reason; 0 if there is none.
+    pub(crate) fn limit_index(&self, reason: &str) -> usize {
+        let mut limits = self.limits().into_iter();
+        limits.position(|own| own.name() == reason).unwrap_or(0)
     }
 
     #[inline(always)]

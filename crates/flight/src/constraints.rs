@@ -7,7 +7,8 @@ use codegen::Layout;
 use codegen::compile::{Selection, compile_for};
 use codegen::tape_model::TapeModel;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Model, Shape};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DMatrixViewMut, DVector};
+use ode::Project;
 
 use crate::functions::{EvaluationPoint, ModelFunctions, Workspace};
 
@@ -80,7 +81,7 @@ impl Constraints {
 
     /// Whether the constraints at the default states change with a parameter, by its index in the model's
     /// [`Layout`](codegen::Layout).
-    pub fn depend_on(&self, parameters: &[f64], index: usize) -> bool {
+    pub fn depend_on(self: &Arc<Self>, parameters: &[f64], index: usize) -> bool {
         let states = self.layout.default_states();
         let at = |parameters: &[f64]| self.bind(parameters.to_vec()).deviations(0.0, &states);
         let mut moved = parameters.to_vec();
@@ -91,49 +92,39 @@ impl Constraints {
     }
 
     /// Binds the constraints to values of the model's parameters.
-    pub fn bind(&self, parameters: Vec<f64>) -> BoundConstraints<'_> {
+    pub fn bind(self: &Arc<Self>, parameters: Vec<f64>) -> BoundConstraints {
         let mut prepared = vec![0.0; self.functions.prepared_len()];
         self.functions.prepare(&parameters, &mut prepared);
         BoundConstraints {
-            constraints: self,
-            values: Arc::new((parameters, prepared)),
-            scratch: Scratch::default(),
+            constraints: Arc::clone(self),
+            parameters,
+            prepared,
         }
     }
 }
 
-#[derive(Clone, Default)]
-struct Scratch {
-    workspace: Workspace,
-    quantities: Vec<f64>,
-}
-
 /// Constraints of a model with values of its parameters.
-#[derive(Clone)]
-pub struct BoundConstraints<'a> {
-    constraints: &'a Constraints,
-    /// Parameters, and the values computed from them.
-    values: Arc<(Vec<f64>, Vec<f64>)>,
-    scratch: Scratch,
+#[derive(Debug)]
+pub struct BoundConstraints {
+    constraints: Arc<Constraints>,
+    parameters: Vec<f64>,
+    /// Values computed from the parameters alone.
+    prepared: Vec<f64>,
 }
 
-impl BoundConstraints<'_> {
+impl BoundConstraints {
     /// Deviations from the constraints at a state, SI, and their derivatives by the states, a row for each.
-    pub fn deviations(&mut self, t: f64, state: &[f64]) -> (DVector<f64>, DMatrix<f64>) {
+    pub fn deviations(&self, t: f64, state: &[f64]) -> (DVector<f64>, DMatrix<f64>) {
         let (count, states) = (self.constraints.count, self.constraints.states);
-        let Scratch {
-            workspace,
-            quantities,
-        } = &mut self.scratch;
-        quantities.resize(self.constraints.layout.quantities.len(), 0.0);
+        let mut quantities = vec![0.0; self.constraints.layout.quantities.len()];
         let at = EvaluationPoint {
             t,
             x: state,
-            p: &self.values.0,
-            prepared: &self.values.1,
+            p: &self.parameters,
+            prepared: &self.prepared,
         };
         let functions = &self.constraints.functions;
-        functions.quantities(at, workspace, quantities);
+        functions.quantities(at, &mut Workspace::default(), &mut quantities);
         let own = &quantities[quantities.len() - count * (states + 1)..];
         let deviations = DVector::from_fn(count, |row, _| own[row * (states + 1)]);
         let by_state = DMatrix::from_fn(count, states, |row, state| {
@@ -145,12 +136,7 @@ impl BoundConstraints<'_> {
     /// Moves a state to where the constraints hold, by the shortest steps of Newton's method along the columns of
     /// `directions`; without these, along all states. Returns whether it has moved; where the steps do not end, the state
     /// stays.
-    pub fn project(
-        &mut self,
-        t: f64,
-        state: &mut [f64],
-        directions: Option<&DMatrix<f64>>,
-    ) -> bool {
+    pub fn project(&self, t: f64, state: &mut [f64], directions: Option<&DMatrix<f64>>) -> bool {
         let mut moved = state.to_vec();
         let mut has_moved = false;
         for _ in 0..MAX_STEPS {
@@ -185,6 +171,34 @@ impl BoundConstraints<'_> {
             has_moved = true;
         }
         false
+    }
+}
+
+impl Project for BoundConstraints {
+    fn project(&self, t: f64, x: &mut [f64]) -> bool {
+        BoundConstraints::project(self, t, x, None)
+    }
+
+    fn project_directions(&self, t: f64, x: &[f64], directions: &mut [f64]) {
+        let states = self.constraints.states;
+        let (_, by_state) = self.deviations(t, x);
+        let mut directions =
+            DMatrixViewMut::from_slice(directions, states, directions.len() / states);
+        let leaving = &by_state * &directions;
+        let mut along = by_state;
+        take_lengths(&mut along, x, &self.constraints.quaternions);
+        if !along.iter().chain(&leaving).all(|v| v.is_finite()) {
+            return;
+        }
+        let svd = along.svd(true, true);
+        let tolerance = RANK_TOLERANCE * svd.singular_values.max();
+        if let Ok(steps) = svd.solve(&leaving, tolerance) {
+            directions -= steps;
+        }
+    }
+
+    fn depends_on(&self, parameter: usize) -> bool {
+        parameter < self.parameters.len() && self.constraints.depend_on(&self.parameters, parameter)
     }
 }
 

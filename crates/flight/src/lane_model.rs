@@ -4,7 +4,9 @@
 use std::marker::PhantomData;
 use std::sync::OnceLock;
 
+use crate::CompiledModel;
 use crate::inputs::InputsOverTime;
+use crate::single_flights;
 use crate::time_breaks::TimeBreaks;
 use codegen::Layout;
 use codegen::compile::{Selection, compile_for};
@@ -27,6 +29,8 @@ pub struct LaneModel {
     is_generated: bool,
     /// The model compiled to a tape; compiled on the first use of the tape.
     tape: OnceLock<TapeModel>,
+    /// The model compiled for flights one by one; compiled on the first use, if the model has constraints.
+    constrained: OnceLock<CompiledModel>,
     /// Lower bounds of the validity limits, SI, in the order of the model's limits.
     bounds: Vec<f64>,
     time_breaks: TimeBreaks,
@@ -50,6 +54,7 @@ impl LaneModel {
             model: model.clone(),
             is_generated: false,
             tape: OnceLock::new(),
+            constrained: OnceLock::new(),
             bounds: model.limits.iter().map(|limit| limit.bound).collect(),
             time_breaks: TimeBreaks::of(model, &Layout::new(model)),
             inputs: InputsOverTime::default(),
@@ -73,7 +78,8 @@ impl LaneModel {
 
     /// Integrates all flights of `queue` with [`ode::fly_on`] to the end in `span`, and returns the number of vectorized
     /// evaluations. `isa` is the instruction set, or `None` for the widest; 0, without integrating, if the processor
-    /// lacks it.
+    /// lacks it. Flights of a model with constraints are integrated one by one, as those of
+    /// [`BoundModel::integrate_to_end`](crate::BoundModel::integrate_to_end), which holds them to the constraints.
     ///
     /// # Panics
     /// Under the conditions for which [`ode::fly_on`] panics.
@@ -84,6 +90,11 @@ impl LaneModel {
         options: &IntegrationOptions,
         isa: Option<Isa>,
     ) -> u64 {
+        if self.has_constraints() {
+            let new = || CompiledModel::compiled_for(&self.model, &Selection::Only(Vec::new()));
+            let model = self.constrained.get_or_init(new);
+            return single_flights::fly(model, &self.inputs, queue, span, options);
+        }
         let isa = isa.unwrap_or_else(Isa::best);
         if self.is_generated {
             let task = GeneratedTask {
@@ -102,6 +113,11 @@ impl LaneModel {
             tape: self.tape(),
         };
         fly_on(isa, &rhs, queue, span, options).unwrap_or(0)
+    }
+
+    fn has_constraints(&self) -> bool {
+        let mut systems = self.model.systems.iter();
+        systems.any(|own| !own.constraints.is_empty())
     }
 
     #[inline(always)]

@@ -45,6 +45,7 @@ pub mod parallel;
 mod release_file;
 mod rhs;
 mod simulate;
+mod single_flights;
 pub mod table;
 pub mod throw;
 mod time_breaks;

@@ -1,7 +1,7 @@
 //! Right-hand side of a bound model for the solver of the crate `ode`.
 
-use crate::{BoundConstraints, BoundModel, ModelState, Workspace};
-use ode::{DifferentiableRhs, OdeRhs};
+use crate::{BoundModel, ModelState, Workspace};
+use ode::{DifferentiableRhs, OdeRhs, Projection};
 use std::borrow::Cow;
 
 /// Right-hand side dx/dt = f(t, x) of a bound model, with Jacobians by the states and all parameters if asked for.
@@ -10,7 +10,6 @@ pub struct ModelRhs<'a> {
     workspace: Workspace,
     /// Parameters at the time of an evaluation.
     parameters: Vec<f64>,
-    constraints: Option<BoundConstraints<'a>>,
 }
 
 impl BoundModel<'_> {
@@ -20,7 +19,6 @@ impl BoundModel<'_> {
             model: self,
             workspace: Workspace::default(),
             parameters: Vec::new(),
-            constraints: self.constraints.clone(),
         }
     }
 }
@@ -34,8 +32,8 @@ impl OdeRhs for ModelRhs<'_> {
         functions.f(at, &mut self.workspace, dx);
     }
 
-    fn project(&mut self, t: f64, x: &mut ModelState) -> bool {
-        DifferentiableRhs::project(self, t, x)
+    fn projection(&self) -> Option<Projection> {
+        DifferentiableRhs::projection(self)
     }
 
     fn time_breaks(&self) -> &[f64] {
@@ -75,9 +73,9 @@ impl DifferentiableRhs for ModelRhs<'_> {
             .f_jac_par(at, workspace, dx, jacobian, parameter_jacobian);
     }
 
-    fn project(&mut self, t: f64, x: &mut [f64]) -> bool {
-        let constraints = self.constraints.as_mut();
-        constraints.is_some_and(|own| own.project(t, x, None))
+    fn projection(&self) -> Option<Projection> {
+        let constraints = self.model.constraints.clone()?;
+        Some(constraints)
     }
 
     fn time_breaks(&self) -> &[f64] {

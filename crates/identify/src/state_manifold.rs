@@ -158,7 +158,7 @@ impl StateManifold {
             moved += kept * step;
             self.normalise(&mut moved);
             let directions = self.free_matrix(moved.as_slice());
-            let mut bound = constraints.bind(parameters.clone());
+            let bound = constraints.bind(parameters.clone());
             bound.project(0.0, moved.as_mut_slice(), Some(&directions));
             self.normalise(&mut moved);
             return moved;

@@ -2,6 +2,7 @@
 
 use crate::method::simd::{MIN_SIMD_LEN, WeightedRows};
 use crate::method::{Method, ROWS};
+use crate::projection::Project;
 use crate::rhs::StateVector;
 use std::ops::Range;
 
@@ -13,11 +14,22 @@ pub(crate) struct DenseOutput<'a> {
     pub h: f64,
     /// Coefficient vectors of the dense output, each as long as the state.
     pub rows: [&'a [f64]; ROWS],
+    /// Projection of the states that are read.
+    pub projection: Option<&'a dyn Project>,
 }
 
 impl DenseOutput<'_> {
     #[inline]
     pub(crate) fn state(&self, s: f64, to: &mut [f64]) {
+        self.interpolate(s, to);
+        if let Some(projection) = self.projection {
+            projection.project(self.t + s * self.h, to);
+        }
+    }
+
+    /// State at the fraction `s` of the step, not projected.
+    #[inline]
+    fn interpolate(&self, s: f64, to: &mut [f64]) {
         let n = to.len();
         let weights = self.method.weights(s, self.h);
         if n >= MIN_SIMD_LEN {
@@ -32,8 +44,11 @@ impl DenseOutput<'_> {
         }
     }
 
-    /// Writes the components in `ranges` of the state at the fraction `s` of the step.
+    /// Writes the components in `ranges` of the state at the fraction `s` of the step; all if it is projected.
     pub(crate) fn components(&self, s: f64, ranges: &[Range<usize>], to: &mut [f64]) {
+        if self.projection.is_some() {
+            return self.state(s, to);
+        }
         let weights = self.method.weights(s, self.h);
         for range in ranges {
             let rows = self.rows.map(|row| &row[range.clone()]);
@@ -42,7 +57,8 @@ impl DenseOutput<'_> {
         }
     }
 
-    /// Component `i` of the state at the fraction `s`, with the bits of [`state`](Self::state) of a short state.
+    /// Component `i` of the state at the fraction `s`, not projected, with the bits of [`state`](Self::state) of a short
+    /// state.
     pub(crate) fn component(&self, s: f64, i: usize) -> f64 {
         let weights = self.method.weights(s, self.h);
         let mut sum = self.rows[0][i];

@@ -93,6 +93,11 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
+    /// Name of the event, or the reason of the limit.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     fn recorded(name: impl Into<Cow<'a, str>>, function: EventFunction<'a, X>) -> Self {
         Event {
             name: name.into(),
@@ -183,7 +188,9 @@ impl<'a, X: StateVector> Event<'a, X> {
         found: &mut Vec<f64>,
     ) {
         let from_zero = self.action == EventAction::Stop;
-        if let EventFunction::Component(i, level) = self.function {
+        if let EventFunction::Component(i, level) = self.function
+            && step.projection.is_none()
+        {
             let value = |s: f64| step.component(s, i) - level;
             return falling_zeros((step.t, step.h), from_zero, value, found);
         }

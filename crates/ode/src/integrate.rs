@@ -45,6 +45,7 @@ pub fn integrate<D: OdeRhs>(
         states,
         steps: recorder.steps,
         rows: recorder.rows,
+        projection: rhs.projection(),
         start: start.0,
         end: end.time,
         end_state: end.state.as_ref().to_vec(),

@@ -6,6 +6,8 @@
 //! - **Integration**: [`integrate`] returns a [`Trajectory`] that can be evaluated at any time; [`integrate_at`],
 //!   [`integrate_with_callback`] and [`integrate_to_end`] do not store dense output. [`IntegrationOptions`] sets
 //!   method, tolerances and step bounds; each result contains its [`SolverStats`].
+//! - **Constraints**: states are held to what the equations keep by a [`Projection`], at the ends of steps and where
+//!   they are read between them.
 //! - **Events**: an [`Event`] is a zero of a function of time and state; it is recorded, stops the integration, or
 //!   makes the integration fail.
 //! - **Sensitivities**: [`Sensitivities`] integrates ∂x/∂x₀ and ∂x/∂p together with x, from a
@@ -39,6 +41,7 @@ mod input;
 mod integrate;
 mod method;
 mod options;
+mod projection;
 mod rhs;
 mod root;
 mod sensitivity;
@@ -59,6 +62,7 @@ pub use integrate::{
 };
 pub use method::Method;
 pub use options::{IntegrationOptions, SolverStats};
+pub use projection::{Project, Projection};
 pub use rhs::{FnRhs, OdeRhs, StateVector, rhs_from_fn};
 pub use sensitivity::{DifferentiableRhs, Sensitivities, SensitivityLayout};
 pub use solver::Endpoint;

@@ -1,5 +1,6 @@
 //! Right-hand side of an ordinary differential equation dx/dt = f(t, x).
 
+use crate::projection::Projection;
 use std::borrow::Cow;
 
 /// State vector of an initial value problem: `[f64; N]`, or `Box<[f64]>` or `Vec<f64>` of any length.
@@ -19,12 +20,9 @@ pub trait OdeRhs {
     /// [`NonFiniteDerivative`](crate::IntegrationFailure::NonFiniteDerivative).
     fn derivative(&mut self, t: f64, x: &Self::State, dx: &mut Self::State);
 
-    /// Moves the state at the end of a step, at time `t`, to where what the equations keep holds, such as a constraint
-    /// from which the steps drift; returns whether it has moved. By default it moves nothing.
-    ///
-    /// The shift must be of the size of the error of a step: dense output does not have it.
-    fn project(&mut self, _t: f64, _x: &mut Self::State) -> bool {
-        false
+    /// Projection onto what the equations keep, such as constraints; none by default.
+    fn projection(&self) -> Option<Projection> {
+        None
     }
 
     /// Number of leading state components in the error norm of the step-size control; all by default.

@@ -4,6 +4,7 @@ use crate::dense_output::{DenseOutput, HermiteStep};
 use crate::event::{Event, EventAction, Occurrence};
 use crate::input::{check_input, failure, first_non_finite, non_finite_derivative, step_too_small};
 use crate::method::{ErrorTolerance, Stepper};
+use crate::projection::Projection;
 use crate::step_control::{PiGains, PiMemory, initial_step};
 use crate::time_breaks::{StepEnd, just_after, segment_end};
 use crate::{IntegrationError, IntegrationFailure, IntegrationOptions, OdeRhs, SolverStats};
@@ -52,6 +53,7 @@ struct Solver<'s, 'e, D: OdeRhs> {
     rhs: &'s mut D,
     events: &'s mut [Event<'e, D::State>],
     observer: &'s mut dyn StepObserver,
+    projection: Option<Projection>,
     t: f64,
     t_end: f64,
     /// Time at which the current segment ends: just before a time break, or `t_end`.
@@ -105,6 +107,7 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
         });
         let gains = PiGains::new(tableau);
         Ok(Solver {
+            projection: rhs.projection(),
             t,
             t_end,
             segment_end: segment_end(rhs.time_breaks(), t, t_end),
@@ -138,7 +141,10 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
             }
             self.stepper.advance();
             self.t = end.t;
-            if self.rhs.project(end.t, self.stepper.start_mut().0) && !end.is_last {
+            if let Some(projection) = &self.projection
+                && projection.project(end.t, self.stepper.start_mut().0.as_mut())
+                && !end.is_last
+            {
                 self.begin_step();
             }
             if end.is_last {
@@ -251,6 +257,7 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
             t,
             h,
             rows,
+            projection: self.projection.as_deref(),
         };
         let stop = match may_occur {
             true => self

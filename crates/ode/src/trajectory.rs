@@ -2,6 +2,7 @@
 
 use crate::dense_output::DenseOutput;
 use crate::method::{Method, ROWS};
+use crate::projection::Projection;
 use crate::{Occurrence, SolverStats};
 
 /// Tolerance for sampling at a constant rate, as a fraction of the sampling interval: a sample closer than this to the
@@ -9,13 +10,14 @@ use crate::{Occurrence, SolverStats};
 const END_SLACK: f64 = 1e-6;
 
 /// Solution x(t) of an initial value problem; dense output evaluates it at any time between its start and its end.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Trajectory {
     pub(crate) method: Method,
     pub(crate) states: usize,
     pub(crate) steps: Vec<(f64, f64)>,
     /// Dense-output coefficients of all steps, concatenated in the order of the steps.
     pub(crate) rows: Vec<f64>,
+    pub(crate) projection: Option<Projection>,
     /// Initial time, in the time unit of the right-hand side.
     pub start: f64,
     /// Final time: the requested one, or that of the terminal event which ended the integration.
@@ -60,6 +62,7 @@ impl Trajectory {
             t,
             h,
             rows: std::array::from_fn(|row| &rows[row * self.states..][..self.states]),
+            projection: self.projection.as_deref(),
         }
     }
 

@@ -41,7 +41,7 @@ impl Maker<'_> {
         let mut state = plan.spread.draw(self.model, &release.state(), &mut random);
         let parameters = self.body.release_parameters(release);
         if let Some(constraints) = self.body.constraints() {
-            let mut constraints = constraints.bind(parameters.constants.clone());
+            let constraints = constraints.bind(parameters.constants.clone());
             constraints.project(0.0, &mut state, None);
         }
         let times = self.times(release, &parameters, &state)?;

@@ -2,11 +2,15 @@
 
 mod integrate;
 mod jacobian_product;
+mod projected;
 
 use self::jacobian_product::JacobianProduct;
+use self::projected::ProjectedSensitivities;
+use crate::projection::Projection;
 use crate::{AlignedVec, OdeRhs};
 use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Right-hand side f(t, x, p) with its sparse Jacobians J = ∂f/∂x and Jp = ∂f/∂p.
 pub trait DifferentiableRhs {
@@ -26,9 +30,9 @@ pub trait DifferentiableRhs {
         jacobian: &mut [f64],
         parameter_jacobian: &mut [f64],
     );
-    /// Moves the state at the end of a step, as [`OdeRhs::project`]; its sensitivities stay.
-    fn project(&mut self, _t: f64, _x: &mut [f64]) -> bool {
-        false
+    /// Projection onto what the equations keep, as [`OdeRhs::projection`].
+    fn projection(&self) -> Option<Projection> {
+        None
     }
     /// Times at which f may jump, as [`OdeRhs::time_breaks`].
     fn time_breaks(&self) -> &[f64] {
@@ -52,6 +56,8 @@ pub trait DifferentiableRhs {
 pub struct Sensitivities<'m> {
     rhs: &'m mut dyn DifferentiableRhs,
     layout: SensitivityLayout,
+    /// Indices in ∂f/∂p of the parameters of the last columns of the sensitivity matrix S.
+    parameters: Vec<usize>,
     product: JacobianProduct,
     /// Terms that the parameter Jacobian Jp = ∂f/∂p adds to dS/dt, the time derivative of the sensitivity matrix S:
     /// (index of the entry in Jp, index of the element in S).
@@ -97,6 +103,7 @@ impl<'m> Sensitivities<'m> {
                 stride,
             },
             rhs,
+            parameters: parameters.to_vec(),
             product,
             parameter_terms,
             jacobian,
@@ -189,9 +196,13 @@ impl OdeRhs for Sensitivities<'_> {
         }
     }
 
-    fn project(&mut self, t: f64, augmented: &mut AlignedVec) -> bool {
-        let states = self.layout.state_range();
-        self.rhs.project(t, &mut augmented.as_mut()[states])
+    fn projection(&self) -> Option<Projection> {
+        let of_states = self.rhs.projection()?;
+        Some(Arc::new(ProjectedSensitivities::new(
+            of_states,
+            self.layout,
+            &self.parameters,
+        )))
     }
 
     fn error_controlled_len(&self) -> usize {

@@ -10,6 +10,7 @@ mod every_effect;
 mod every_row_can_fail;
 mod exact_functions;
 mod exact_kill_table;
+mod gallery_mutants;
 mod general_effects;
 mod instruments;
 mod mutants;

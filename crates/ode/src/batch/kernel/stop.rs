@@ -161,6 +161,7 @@ impl<T: Lanes> Flying<'_, T> {
             t: self.control.t[lane],
             h: self.control.h[lane],
             rows: std::array::from_fn(|k| &self.rows[k * n..][..n]),
+            projection: None,
         };
         let (state, margins) = (&mut self.state, &mut self.margins[2]);
         let value = |s: f64| {
