@@ -66,7 +66,7 @@ impl<'c> Tapes<'c> {
         let functions = self.functions.iter().map(|(function, tape)| {
             let values = run(tape, &prepared, function.program.outputs.len());
             (
-                &*function.name,
+                function.name,
                 written_out(function, &values, x.len(), p.len()),
             )
         });
