@@ -66,7 +66,7 @@ impl<'c> Tapes<'c> {
         let functions = self.functions.iter().map(|(function, tape)| {
             let values = run(tape, &prepared, function.program.outputs.len());
             (
-                &*function.name,
+                function.name,
                 written_out(function, &values, x.len(), p.len()),
             )
         });
@@ -98,7 +98,8 @@ fn written_out(
             _ => parameters,
         };
         let first = results.len();
-        let places = (0..states.max(3)).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        let places =
+            (0..states.max(3)).flat_map(|row| (0..columns).map(move |column| (row, column)));
         results.extend(places.map(|(row, column)| ((section.name, row, column), 0.0)));
         for (&(row, column), value) in pattern.iter().zip(taken) {
             results[first + row as usize * columns + column as usize].1 = value;
