@@ -1,5 +1,8 @@
+use std::path::PathBuf;
+
 use proptest::prelude::*;
 use proptest::sample::select;
+use proptest::test_runner::TestCaseResult;
 
 use super::piece::{Piece, Structure, pieces};
 use super::{format, is_same, laid_out, settled};
@@ -7,14 +10,23 @@ use crate::read::{BODIES, EFFECTS, MODELS, REFUTED, WINDS};
 use crate::syntax::parse_statements;
 use crate::syntax::token::Token;
 
-const SHOWN: [&str; 3] = ["boomerang", "samara", "taketombo"];
+const GALLERY: &str = "../examples/gallery";
 
+/// Texts of the gallery, of its parts, and of those that are built in.
 fn texts() -> Vec<String> {
     let tables = [MODELS, BODIES, REFUTED, EFFECTS, WINDS];
     let built_in = tables.into_iter().flatten();
     let built_in = built_in.map(|(_, text)| (*text).to_owned());
-    let shown = SHOWN.map(|name| format!("../examples/gallery/{name}.hyz"));
-    let shown = shown.map(|path| std::fs::read_to_string(path).unwrap());
+    let folders = [GALLERY.to_owned(), format!("{GALLERY}/parts")];
+    let files = folders
+        .iter()
+        .flat_map(|own| std::fs::read_dir(own).unwrap());
+    let mut paths: Vec<PathBuf> = files.map(|file| file.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|end| end == "hyz"));
+    paths.sort();
+    let shown = paths
+        .iter()
+        .map(|path| std::fs::read_to_string(path).unwrap());
     built_in.chain(shown).collect()
 }
 
@@ -169,31 +181,50 @@ fn space(before: &Piece<'_>, own: &Piece<'_>, chosen: u8) -> &'static str {
     }
 }
 
+/// A text with other white space is formatted to the statements that it had, and a formatted one stays.
+fn check_white_space(text: &str, spaces: &[u8]) -> TestCaseResult {
+    let own = pieces(text).unwrap();
+    let mut other = String::new();
+    for (i, piece) in own.iter().enumerate() {
+        if i > 0 {
+            let chosen = spaces[i * 7 % 61].wrapping_add((i / 61) as u8);
+            other += space(&own[i - 1], piece, chosen);
+        }
+        other += piece.text;
+    }
+    let tree = |text: &str| {
+        let parsed = parse_statements("random.hyz", text, 0);
+        prop_assert_eq!(parsed.diagnostics, []);
+        let items = parsed.file.items.into_iter();
+        Ok(items.map(|item| item.kind.to_string()).collect::<Vec<_>>())
+    };
+    let formatted = format("random.hyz", &other).unwrap();
+    prop_assert!(is_same(&other, &formatted));
+    prop_assert_eq!(tree(&formatted)?, tree(&other)?);
+    prop_assert_eq!(format("random.hyz", &formatted).unwrap(), formatted);
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(10_000))]
+
+    #[test]
+    #[ignore = "takes minutes"]
+    fn ten_thousand_texts_are_formatted_to_the_same_function(
+        text in select(texts()),
+        spaces in proptest::collection::vec(any::<u8>(), 64),
+    ) {
+        check_white_space(&text, &spaces)?;
+    }
+}
+
 proptest! {
     #[test]
     fn other_white_space_is_formatted_to_the_same_function(
         text in select(texts()),
         spaces in proptest::collection::vec(any::<u8>(), 64),
     ) {
-        let own = pieces(&text).unwrap();
-        let mut other = String::new();
-        for (i, piece) in own.iter().enumerate() {
-            if i > 0 {
-                let chosen = spaces[i * 7 % 61].wrapping_add((i / 61) as u8);
-                other += space(&own[i - 1], piece, chosen);
-            }
-            other += piece.text;
-        }
-        let tree = |text: &str| {
-            let parsed = parse_statements("random.hyz", text, 0);
-            prop_assert_eq!(parsed.diagnostics, []);
-            let items = parsed.file.items.into_iter();
-            Ok(items.map(|item| item.kind.to_string()).collect::<Vec<_>>())
-        };
-        let formatted = format("random.hyz", &other).unwrap();
-        prop_assert!(is_same(&other, &formatted));
-        prop_assert_eq!(tree(&formatted)?, tree(&other)?);
-        prop_assert_eq!(format("random.hyz", &formatted).unwrap(), formatted);
+        check_white_space(&text, &spaces)?;
     }
 
     #[test]

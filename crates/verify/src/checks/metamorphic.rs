@@ -4,10 +4,12 @@
 //! Under reflection of y, the y components of positions, velocities, forces and wind change sign, and so do the x and z
 //! components of angular velocities and moments. No coefficient changes sign. A coefficient that would have to
 //! describes a law with handedness and is reported. A model that claims no reference law may break a relation on
-//! purpose: the broken relations are then reported, but refute nothing.
+//! purpose: the broken relations are then reported, but refute nothing. Only such a model, whose observation nothing else
+//! is compared with, is also asked whether the observed marks move with the body.
 
 use std::collections::BTreeSet;
 
+use super::observed;
 use super::precision::overflow;
 use crate::meaning::Meaning;
 use crate::options::Options;
@@ -25,6 +27,9 @@ pub const METAMORPHIC: &str = "metamorphic relations";
 
 /// Maximum relative error: arcsines lose digits near ±1.
 const TOLERANCE: f64 = 1e-10;
+
+/// Index of the inertial frame.
+const INERTIAL: usize = 0;
 
 /// A transformation, such as a translation, under which the laws of motion are invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,6 +80,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     // Names of the relations whose transformed states were found at some point, and missing at some point.
     let (mut seen, mut unseen) = (BTreeSet::new(), BTreeSet::new());
     let mut asymmetric = false;
+    let mut observed: BTreeSet<&str> = BTreeSet::new();
     for _ in 0..options.cases {
         let full = sample::point(subject.model, &mut random);
         let core = subject.without_extras(full.clone());
@@ -93,6 +99,12 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
                 return subject.without_meaning(METAMORPHIC);
             };
             seen.insert(name);
+            if subject.reference.is_none()
+                && observation_error(subject, &meaning, &core, symmetry, &draw)
+                    .is_some_and(|error| error.is_nan() || error > TOLERANCE)
+            {
+                observed.insert(name);
+            }
             worst.update(error, || name.to_owned());
             if error.is_nan() || error > TOLERANCE {
                 of_model.insert(name);
@@ -107,9 +119,14 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             }
         }
     }
-    if subject.reference.is_none() && !of_model.is_empty() {
+    if subject.reference.is_none() && !(of_model.is_empty() && observed.is_empty()) {
         // A force may depend on position, heading or handedness by design, as that of a cord or of a bent wing does.
-        let names: Vec<&str> = of_model.into_iter().collect();
+        let mut names: Vec<String> = of_model.into_iter().map(str::to_owned).collect();
+        names.extend(
+            observed
+                .into_iter()
+                .map(|name| format!("{name}, as observed")),
+        );
         let why = format!("the model claims no law; it breaks: {}", names.join(", "));
         return Row::skipped(METAMORPHIC, &why);
     }
@@ -200,6 +217,49 @@ fn error(
         return Some(0.0);
     }
     Some(worst.error)
+}
+
+/// Maximum relative difference of the observation from the transformed one, and, for a delay, of the distances of marks;
+/// `None` without an observation, and for a relation that does not move a mark with its body.
+fn observation_error(
+    subject: &Subject<'_>,
+    meaning: &Meaning<'_>,
+    point: &Point<f64>,
+    symmetry: Relation,
+    draw: &RandomTransformation,
+) -> Option<f64> {
+    let physical = meaning.physical(point)?;
+    let zero = Vector3::zeros();
+    let change = PhysicalRate {
+        velocity: zero,
+        acceleration: zero,
+        angular_velocity: zero,
+        angular_acceleration: zero,
+    };
+    let (moved, inputs, _) = transform(subject.model, point, &physical, &change, symmetry, draw);
+    let mut seen = point.clone();
+    seen.inputs = inputs;
+    seen.states = meaning.states(&moved, &seen)?;
+    let (mut turn, mut shift) = (Matrix3::identity(), zero);
+    match symmetry {
+        Relation::Translation => shift = draw.shift,
+        Relation::Heading => {
+            turn = Quaternion::turn(3, draw.angle).matrix();
+            let marker = subject.model.marker.as_ref();
+            if marker.is_some_and(|own| own.frame == INERTIAL) {
+                seen.marker = turn * point.marker;
+            }
+        }
+        Relation::Delay => {
+            seen.time += draw.delay;
+            let of_marks = observed::distance_difference(subject, point).unwrap_or(0.0);
+            let of_time = observed::difference(subject, (point, &seen), &turn, &shift)?;
+            return Some(of_marks.max(of_time));
+        }
+        Relation::Galilean => {}
+        Relation::Mirror | Relation::SpinAngle => return None,
+    }
+    observed::difference(subject, (point, &seen), &turn, &shift)
 }
 
 fn transform(

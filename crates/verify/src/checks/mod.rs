@@ -14,6 +14,7 @@ mod function_rows;
 pub mod identities;
 mod long_functions;
 pub mod metamorphic;
+mod observed;
 mod precision;
 pub mod reference;
 pub mod singular;

@@ -1,11 +1,15 @@
 //! Detects equivalent mutants: mutants whose compiled equations are proved equal to those of the model.
 
+use super::verdicts::verdicts;
 use crate::difference::values::Everything;
 use crate::difference::{Sameness, function};
 use crate::engine::Values;
+use crate::options::Options;
+use crate::row::Verdict;
 use crate::subject::Subject;
 use codegen::program::{Op, Program};
 use model_spec::model::Model;
+use std::sync::OnceLock;
 
 /// Reason: the same operations.
 const SAME: &str = "compiles to the same derivatives and observation, node for node";
@@ -22,6 +26,7 @@ pub struct Original<'a> {
     /// Original model with its equations of motion.
     pub subject: &'a Subject<'a>,
     values: Values,
+    verdicts: OnceLock<[Verdict; 6]>,
 }
 
 impl<'a> Original<'a> {
@@ -30,7 +35,14 @@ impl<'a> Original<'a> {
         Self {
             subject,
             values: Values::of(subject.model),
+            verdicts: OnceLock::new(),
         }
+    }
+
+    /// Verdicts of the checks of the model that its mutants are put to, with the options of the first call.
+    pub(super) fn verdicts(&self, options: &Options) -> &[Verdict; 6] {
+        self.verdicts
+            .get_or_init(|| verdicts(self.subject, options))
     }
 
     /// How the `mutant` is proved to have the same derivatives and observation; `None` if it is not.

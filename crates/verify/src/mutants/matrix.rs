@@ -1,6 +1,6 @@
 //! Mutation matrix: number of mutants by mutation operator and by the checks that kill them.
 
-use super::status::{CHECKS, MutantStatus};
+use super::status::{ALWAYS, CHECKS, MutantStatus};
 use super::{Mutant, Operator};
 use crate::row::{Row, plain_table};
 use serde::Serialize;
@@ -43,8 +43,9 @@ impl MutationMatrix {
             let mut statuses = statuses.iter();
             statuses.any(|s| matches!(s, MutantStatus::Killed(by) if by.contains(&check)))
         };
-        // The last check applies only to models that claim a body.
-        let count = CHECKS.len() - usize::from(!kills(CHECKS.len() - 1));
+        // The last checks apply only to models with claims.
+        let last = (ALWAYS..CHECKS.len()).rev().find(|check| kills(*check));
+        let count = last.map_or(ALWAYS, |check| check + 1);
         let mut table = Self {
             checks: CHECKS[..count].to_vec(),
             ..Self::default()

@@ -6,6 +6,7 @@ mod names;
 mod rewrite;
 mod statement;
 pub mod status;
+mod verdicts;
 
 use crate::options::Options;
 use equivalence::Original;

@@ -2,17 +2,18 @@
 
 use super::Mutant;
 use super::equivalence::Original;
-use crate::checks::{cases, claim, identities, metamorphic, reference};
+use super::verdicts::verdicts;
+use crate::checks::{balances, cases, claim, identities, metamorphic, reference};
 use crate::options::Options;
-use crate::row::{Row, Verdict};
+use crate::row::Verdict;
 use crate::subject::{Interpreted, Subject};
 use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
 /// Names of the checks that are run on mutants, in ascending order of cost. The first three are those of the language
-/// checker; the last one applies only to models with a `claim` statement, which declares the meaning of their equations.
-pub const CHECKS: [&str; 8] = [
+/// checker; the last two apply only to models with `claim` statements.
+pub const CHECKS: [&str; 9] = [
     "units",
     "frames",
     "names and shapes",
@@ -21,12 +22,16 @@ pub const CHECKS: [&str; 8] = [
     identities::IDENTITIES,
     metamorphic::METAMORPHIC,
     claim::CLAIM,
+    balances::BALANCES,
 ];
+
+/// Number of [`CHECKS`] that are run on the mutants of every model.
+pub(super) const ALWAYS: usize = 7;
 
 /// Result of running the checks of the verification on a mutant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MutantStatus {
-    /// Killed by the checks with these indices in [`CHECKS`]; never empty.
+    /// Refuted by, or no longer held by, the checks with these indices in [`CHECKS`]; never empty.
     Killed(Vec<usize>),
     /// Proved equivalent to the model, for this reason.
     Equivalent(&'static str),
@@ -68,7 +73,8 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Indices, in [`CHECKS`], of the checks that refute a mutant by its vector expressions.
+/// Indices, in [`CHECKS`], of the checks by vector expressions that refute a mutant, or hold for the model and no longer
+/// for the mutant, such as a relation that the model keeps.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];
@@ -78,16 +84,12 @@ fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<us
     if subject.reference.is_none() {
         subject.chart.clone_from(&original.subject.chart);
     }
-    let mut rows: Vec<Row> = vec![
-        cases::check(&subject),
-        reference::reference(&subject, options),
-        identities::check(&subject, options),
-        metamorphic::check(&subject, options),
-    ];
-    rows.extend(claim::check(&subject, options));
-    rows.iter()
-        .enumerate()
-        .filter(|(_, row)| row.verdict == Verdict::Refuted)
-        .map(|(k, _)| 3 + k)
-        .collect()
+    let found = verdicts(&subject, options);
+    let known = original.verdicts(options);
+    let is_refusal = |(own, known): (&Verdict, &Verdict)| {
+        *own == Verdict::Refuted || *known == Verdict::Holds && *own != Verdict::Holds
+    };
+    let refusals = found.iter().zip(known).map(is_refusal).enumerate();
+    let refusals = refusals.filter(|(_, is_refusal)| *is_refusal);
+    refusals.map(|(k, _)| 3 + k).collect()
 }
