@@ -19,7 +19,6 @@ name = "ball"
 position = [0.0, 0.0, 0.0]
 """
 SPIN = "lift_by_unknown_spin"
-LEAST = 25  # samples of an arc
 EVERY = 3  # one of so many arcs is held out
 
 
@@ -40,7 +39,7 @@ def fitted(data, *effects):
     fit = hyzer.fit(data, hyzer.Model("ball", effects=effects))
     flights = [own for own in fit.to_dict()["flights"] if own["outcome"] == "fitted"]
     drag = fit.coefficients["C_D"]
-    return np.median([own["rms_m"] for own in flights]), drag, fit
+    return np.median([own["residual_rms"]["marker"]["value"] for own in flights]), drag, fit
 
 
 def main():
