@@ -299,7 +299,10 @@ impl Flight {
         let layout = self.body.layout();
         let varying = layout.parameter(input_name);
         let Some(id) = varying.filter(|id| layout.varying.contains(id)) else {
-            let known = layout.varying.iter().map(|id| &*layout.parameters[id.index()]);
+            let known = layout
+                .varying
+                .iter()
+                .map(|id| &*layout.parameters[id.index()]);
             let known: Vec<&str> = known.collect();
             return Err(input(match known[..] {
                 [] => format!("the model {} has no scalar input", self.model.name),

@@ -36,6 +36,7 @@ mod constraints;
 pub mod files;
 mod functions;
 mod initial_conditions;
+mod input_derivatives;
 mod inputs;
 mod integrate;
 mod lane_model;

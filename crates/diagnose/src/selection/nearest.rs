@@ -1,19 +1,10 @@
 //! The nearest of the rejected hypotheses, which is the best answer where none is adequate.
 
-use identify::Iterate;
-
 use super::bic::{bic_of_hypothesis, bic_of_terms};
 use super::hypothesis::Hypothesis;
-use super::search::{MAX_EFFECTS, Search};
+use super::search::{MAX_EFFECTS, Nearest, Search};
 use super::stepwise_terms::StepwiseModel;
-use crate::context::{CandidateId, ScoreTestModel};
-
-/// A hypothesis as the start of its fit.
-pub(super) struct Nearest {
-    bic: f64,
-    effects: Vec<CandidateId>,
-    iterate: Iterate,
-}
+use crate::context::ScoreTestModel;
 
 impl Search {
     pub(super) fn note_nearest(&mut self, model: &ScoreTestModel<'_>, hypothesis: &Hypothesis) {
@@ -47,6 +38,7 @@ impl Search {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::context::CandidateId;
     use crate::selection::Weights;
     use crate::test_support::fixture;
 

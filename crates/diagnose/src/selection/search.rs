@@ -4,7 +4,6 @@ use identify::{Iterate, NoiseModel, fit};
 use model_spec::sort_by_number;
 
 use super::hypothesis::{Hypothesis, Thresholds};
-use super::nearest::Nearest;
 use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, TrajectoryCache};
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
@@ -39,6 +38,13 @@ pub(crate) struct Search {
     pub rejected: Vec<Hypothesis>,
     /// The rejected hypothesis of the smallest BIC, of all rounds.
     pub(super) nearest: Option<Nearest>,
+}
+
+/// A hypothesis as the start of its fit.
+pub(super) struct Nearest {
+    pub bic: f64,
+    pub effects: Vec<CandidateId>,
+    pub iterate: Iterate,
 }
 
 /// Score tests of candidate effects and library terms at a linearization point.

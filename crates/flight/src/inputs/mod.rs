@@ -1,6 +1,5 @@
 //! Inputs over time: scalar inputs of a model that vary during a flight.
 
-mod derivatives;
 mod lag;
 mod table;
 
@@ -193,8 +192,24 @@ impl RecordedInput {
         self.series.breaks().map(move |time| time + delay)
     }
 
+    /// The input with 1 at the sample `k` and 0 at the others.
+    pub(crate) fn unit(&self, k: usize) -> RecordedInput {
+        let samples = self.series.samples().enumerate();
+        let samples: Vec<(f64, f64)> = samples
+            .map(|(index, (t, _))| (t, f64::from(u8::from(index == k))))
+            .collect();
+        let series = InputSeries::new(&samples, self.series.interpolation());
+        let rate = series.rate();
+        RecordedInput {
+            rate: self.rate.as_ref().map(|(id, _)| (*id, rate.clone())),
+            lag: self.lag.clone().map(|lag| InputLag { rate, ..lag }),
+            series,
+            ..*self
+        }
+    }
+
     /// Responses of a lag at the samples.
-    fn responses(&self, parameters: &[f64]) -> Vec<Lagged> {
+    pub(crate) fn responses(&self, parameters: &[f64]) -> Vec<Lagged> {
         let tau = self.lag.as_ref().map(|lag| parameters[lag.tau.index()]);
         let tau = tau.filter(|tau| !lag::is_none(*tau));
         tau.map_or_else(Vec::new, |tau| lag::at_knots(&self.series.function, tau))

@@ -3,7 +3,7 @@
 use model_spec::layout::ParamId;
 use ode::{IntegrationError, IntegrationOptions, Sensitivities};
 
-use super::{InputSeries, RecordedInput};
+use crate::inputs::RecordedInput;
 use crate::{BasisLoads, BoundModel, parallel};
 
 /// Number of samples whose derivatives are integrated together.
@@ -88,23 +88,5 @@ impl BoundModel<'_> {
             states.collect()
         });
         Ok(by_sample.collect())
-    }
-}
-
-impl RecordedInput {
-    /// The input with 1 at the sample `k` and 0 at the others.
-    fn unit(&self, k: usize) -> RecordedInput {
-        let samples = self.series.samples().enumerate();
-        let samples: Vec<(f64, f64)> = samples
-            .map(|(index, (t, _))| (t, f64::from(u8::from(index == k))))
-            .collect();
-        let series = InputSeries::new(&samples, self.series.interpolation());
-        let rate = series.rate();
-        RecordedInput {
-            rate: self.rate.as_ref().map(|(id, _)| (*id, rate.clone())),
-            lag: self.lag.clone().map(|lag| super::InputLag { rate, ..lag }),
-            series,
-            ..*self
-        }
     }
 }
