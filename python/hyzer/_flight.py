@@ -128,8 +128,9 @@ class Flight:
     def derivatives(self, input_name: str) -> npt.NDArray[np.float64]:
         """Return the derivatives of the states by each sample of an input over time.
 
-        They say what an error of the record does to the flight: errors of standard deviation `sigma` that are
-        independent move the states by ``sigma * np.sqrt((flight.derivatives(name) ** 2).sum(0))``.
+        They say what an error of the record does to the flight: independent errors of standard
+        deviation `sigma` move the states by
+        ``sigma * np.sqrt((flight.derivatives(name) ** 2).sum(0))``.
 
         Parameters
         ----------
@@ -158,7 +159,8 @@ class Flight:
         ... force push = (thrust, 0, 0) in N;
         ... ''')
         >>> start = dict.fromkeys(model.states, 0.0)
-        >>> release = hyzer.Release(start, inputs={"thrust": ([0.0, 1.0, 2.0], [0.0, 4.0, 0.0])}, until=2.0)
+        >>> thrust = ([0.0, 1.0, 2.0], [0.0, 4.0, 0.0])
+        >>> release = hyzer.Release(start, inputs={"thrust": thrust}, until=2.0)
         >>> by_sample = model.fly(release, rate=1.0).derivatives("thrust")
         >>> by_sample.shape
         (3, 3, 6)
