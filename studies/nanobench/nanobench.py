@@ -263,7 +263,12 @@ def with_attitude_ahead(held_out, by_flight, c):
     """After AHEAD seconds of open loop from a measured state: root mean square angle of the attitude, degrees, and R² of
     the acceleration meanwhile along x, y and z."""
     rows = []
-    for title in ["attitude of the start, held", "rates of the start, held", "regression of the angular acceleration"]:
+    ways = [
+        ("attitude of the start, held", False, False),
+        ("rates of the start, held", True, False),
+        ("regression of the angular acceleration", True, True),
+    ]
+    for title, turns, accelerates in ways:
         angles, left, total = [], np.zeros(3), np.zeros(3)
         for own, (change, by_rates) in zip(held_out, by_flight):
             seen, predicted = [], []
@@ -272,12 +277,12 @@ def with_attitude_ahead(held_out, by_flight, c):
                 kept = slice(start, start + round(AHEAD / 0.01) + 1)
                 if own.t[kept][-1] - own.t[start] > AHEAD + 0.02 or np.isnan(own.acceleration[kept]).any():
                     continue
-                attitude, rates, path = own.attitude[start], rates_seen[start] * ("attitude" not in title), []
+                attitude, rates, path = own.attitude[start], rates_seen[start] * turns, []
                 for i in range(kept.start, kept.stop):
                     path.append(attitude)
                     dt = own.t[i + 1] - own.t[i]
                     attitude = turned(attitude, rates, dt)
-                    if "regression" in title:
+                    if accelerates:
                         rates = rates + dt * (change[i] + rates @ by_rates)
                 off = abs(np.clip(path[-1] @ own.attitude[kept.stop - 1], -1, 1))
                 angles.append(np.degrees(2 * np.arccos(off)))
