@@ -191,16 +191,9 @@ fn error(
     draw: &RandomTransformation,
 ) -> Option<f64> {
     let model = subject.model;
-    let physical = meaning.physical(point)?;
     let pace = subject.clock(point);
     let change = meaning.rate(point, &subject.flight_rates(point), pace)?;
-    let (moved, inputs, expected) = transform(model, point, &physical, &change, symmetry, draw);
-    let mut seen = point.clone();
-    seen.inputs = inputs;
-    seen.states = meaning.states(&moved, &seen)?;
-    if symmetry == Relation::Delay {
-        seen.time += draw.delay;
-    }
+    let (seen, expected) = transformed(subject, meaning, point, &change, symmetry, draw)?;
     let pace = subject.clock(&seen);
     let got = meaning.rate(&seen, &subject.flight_rates(&seen), pace)?;
     let mut worst = Worst::default();
@@ -228,7 +221,6 @@ fn observation_error(
     symmetry: Relation,
     draw: &RandomTransformation,
 ) -> Option<f64> {
-    let physical = meaning.physical(point)?;
     let zero = Vector3::zeros();
     let change = PhysicalRate {
         velocity: zero,
@@ -236,10 +228,7 @@ fn observation_error(
         angular_velocity: zero,
         angular_acceleration: zero,
     };
-    let (moved, inputs, _) = transform(subject.model, point, &physical, &change, symmetry, draw);
-    let mut seen = point.clone();
-    seen.inputs = inputs;
-    seen.states = meaning.states(&moved, &seen)?;
+    let (mut seen, _) = transformed(subject, meaning, point, &change, symmetry, draw)?;
     let (mut turn, mut shift) = (Matrix3::identity(), zero);
     match symmetry {
         Relation::Translation => shift = draw.shift,
@@ -251,7 +240,6 @@ fn observation_error(
             }
         }
         Relation::Delay => {
-            seen.time += draw.delay;
             let of_marks = observed::distance_difference(subject, point).unwrap_or(0.0);
             let of_time = observed::difference(subject, (point, &seen), &turn, &shift)?;
             return Some(of_marks.max(of_time));
@@ -260,6 +248,28 @@ fn observation_error(
         Relation::Mirror | Relation::SpinAngle => return None,
     }
     observed::difference(subject, (point, &seen), &turn, &shift)
+}
+
+/// The transformed point, and the rate at it by which the motion at `point` changes at the rate `change`; `None` if it has
+/// no such states.
+fn transformed(
+    subject: &Subject<'_>,
+    meaning: &Meaning<'_>,
+    point: &Point<f64>,
+    change: &PhysicalRate,
+    symmetry: Relation,
+    draw: &RandomTransformation,
+) -> Option<(Point<f64>, PhysicalRate)> {
+    let physical = meaning.physical(point)?;
+    let (moved, inputs, expected) =
+        transform(subject.model, point, &physical, change, symmetry, draw);
+    let mut seen = point.clone();
+    seen.inputs = inputs;
+    seen.states = meaning.states(&moved, &seen)?;
+    if symmetry == Relation::Delay {
+        seen.time += draw.delay;
+    }
+    Some((seen, expected))
 }
 
 fn transform(
