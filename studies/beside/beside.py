@@ -1,6 +1,6 @@
 """Study of what is measured beside the flight: writes docs/studies/beside.md.
 
-    python studies/beside/beside.py --out docs/studies/beside.md [--sets 300] [--only NUMBER] [--keep FOLDER]
+    python studies/beside/beside.py --out docs/studies/beside.md [--sets 300] [--further 120] [--only NUMBER] [--keep FOLDER]
 
 Datasets with inputs over time, spins that nobody measured and summaries, simulated by the integrator of this file, are
 fitted and diagnosed. Needs NumPy and the package `hyzer`.
@@ -19,6 +19,7 @@ import hyzer
 
 G = 9.81
 STEP = 1e-3  # of the integration, s
+FIRST_FURTHER = 10_000  # number of the first set with a further cause
 MAX_ERRORS = 4.0  # standard errors, beyond which a reliable estimate is wrong
 INPUT_ERRORS = ["none", "none", "delay", "lag", "bias", "scale", "noise"]
 
@@ -153,9 +154,10 @@ def write(path, header, rows):
         out.writerows([repr(float(value)) for value in row] for row in rows)
 
 
-def with_inputs(random, folder, is_planar):
-    """A drone or a bicopter whose inputs are recorded, one of them with an error or none."""
-    kind = random.choice(INPUT_ERRORS)
+def with_inputs(random, folder, is_planar, hidden=None):
+    """A drone or a bicopter whose inputs are recorded, one of them with an error or none; with `hidden` both, or in a wind."""
+    kind = str(random.choice(INPUT_ERRORS[2:6] if hidden == "two errors" else INPUT_ERRORS))
+    kind = "none" if hidden == "wind" else kind
     rate = int(random.choice([20, 50, 100, 200]))
     interpolation = str(random.choice(["linear", "hold"]))
     flights, sigma, seconds, every = int(random.integers(3, 9)), random.uniform(5e-4, 2e-3), 2.0, 0.01
@@ -168,13 +170,12 @@ def with_inputs(random, folder, is_planar):
     wrong = int(random.integers(2))
     # The scale of a throttle is one with the coefficient of the thrust.
     wrong = 1 if kind == "scale" and not is_planar else wrong
-    size = {
-        "delay": random.uniform(0.02, 0.06),
-        "lag": random.uniform(0.02, 0.06),
-        "bias": sizes[wrong] * random.uniform(0.1, 0.3),
-        "scale": random.uniform(0.05, 0.15) * (0.1 if is_planar else 1),
-        "noise": sizes[wrong] * random.uniform(0.05, 0.3),
-    }.get(str(kind), 0.0)
+    errors = [("none", 0.0), ("none", 0.0)]
+    errors[wrong] = (kind, size_of_error(random, kind, sizes[wrong], is_planar))
+    if hidden == "two errors":
+        other = str(random.choice([own for own in ("delay", "lag", "bias") if own != kind]))
+        errors[1 - wrong] = (other, size_of_error(random, other, sizes[1 - wrong], is_planar))
+    wind = random.uniform(1.5, 4) * np.array([*unit(random.normal(size=2)), 0]) if hidden == "wind" else np.zeros(3)
     (folder / "model.hyz").write_text(text)
     markers = [("a", [0.2, 0, 0]), ("b", [-0.2, 0, 0.05])] if is_planar else [("a", [0.0, 0, 0])]
     lines = ['model = "model.hyz"', "[inputs]", f'interpolation = "{interpolation}"']
@@ -182,7 +183,7 @@ def with_inputs(random, folder, is_planar):
         lines += ["[[markers]]", f'name = "{name}"', f"position = {at}"]
     for flight in range(flights):
         inputs = [Input(random, seconds, 1 / rate, m, s, interpolation) for m, s in zip(means, sizes)]
-        acts = [acting(own, kind if index == wrong else "none", size) for index, own in enumerate(inputs)]
+        acts = [acting(own, *error) for own, error in zip(inputs, errors)]
         if is_planar:
             start = np.array([0, 2, random.normal(0, 0.2), random.normal(0, 0.5), random.normal(0, 0.5), 0.0])
             rates = lambda t, s, a=acts: bicopter(s, a[0](t), a[1](t), truth)
@@ -190,7 +191,7 @@ def with_inputs(random, folder, is_planar):
             places = [[planar(s, at) for _, at in markers] for s in states]
         else:
             start = np.concatenate([[0, 0, 5], random.normal(0, 0.7, 3)])
-            rates = lambda t, s, a=acts: drone(s, a[0](t), a[1](t), truth)
+            rates = lambda t, s, a=acts: drone(s, a[0](t), a[1](t), truth, wind)
             states = runge_kutta(rates, start, seconds, every)
             places = [[s[:3]] for s in states]
         noisy = np.array(places) + sigma * random.standard_normal(np.shape(places))
@@ -199,21 +200,38 @@ def with_inputs(random, folder, is_planar):
         write(folder / f"flight{flight}.csv", header, rows)
         recorded = np.stack([own.values for own in inputs], 1)
         if kind == "noise":
-            recorded[:, wrong] += size * random.standard_normal(len(recorded))
+            recorded[:, wrong] += errors[wrong][1] * random.standard_normal(len(recorded))
         table = [[t, *row] for t, row in zip(inputs[0].times, recorded)]
         write(folder / f"inputs{flight}.csv", ["t", *names], table)
         lines += ["[[flights]]", f'file = "flight{flight}.csv"', f'inputs = "inputs{flight}.csv"']
         if flight == flights - 1:
             lines.append('role = "held-out"')
     (folder / "dataset.toml").write_text("\n".join(lines) + "\n")
-    error = None if kind in ("none", "noise") else f"{kind}-of-{names[wrong]}"
     about = f"{'bicopter' if is_planar else 'drone'}: {flights} flights, inputs at {rate} Hz ({interpolation})"
-    return truth, str(kind), error, f"{about}, {kind} of {names[wrong]} {size:.3g}" if kind != "none" else about
+    about += "".join(f", {own} of {name} {size:.3g}" for name, (own, size) in zip(names, errors) if own != "none")
+    about += f", wind of {np.linalg.norm(wind):.1f} m/s" if hidden == "wind" else ""
+    causes = {f"{own}-of-{name}" for name, (own, _) in zip(names, errors) if own not in ("none", "noise")}
+    return truth, hidden or kind, {"wind"} if hidden == "wind" else causes, about
 
 
-def drone(s, throttle, tilt, of):
+def size_of_error(random, kind, size, is_planar):
+    """Size of an error of an input whose values vary by `size`."""
+    return {
+        "delay": random.uniform(0.02, 0.06),
+        "lag": random.uniform(0.02, 0.06),
+        "bias": size * random.uniform(0.1, 0.3),
+        "scale": random.uniform(0.05, 0.15) * (0.1 if is_planar else 1),
+        "noise": size * random.uniform(0.05, 0.3),
+    }.get(kind, 0.0)
+
+
+def unit(vector):
+    return vector / np.linalg.norm(vector)
+
+
+def drone(s, throttle, tilt, of, wind):
     thrust = of["k"] * throttle**2
-    force = np.array([thrust * np.sin(tilt), 0, thrust * np.cos(tilt)]) - of["c"] * s[3:]
+    force = np.array([thrust * np.sin(tilt), 0, thrust * np.cos(tilt)]) - of["c"] * (s[3:] - wind)
     return np.concatenate([s[3:], force / 0.5 - [0, 0, G]])
 
 
@@ -230,21 +248,40 @@ def planar(s, at):
     return [s[0] + cosine * at[0] + sine * at[2], at[1], s[1] - sine * at[0] + cosine * at[2]]
 
 
-def ball(s, omega, of):
-    v, area = s[3:], np.pi * 0.0365**2
+def ball(t, s, omega, of):
+    v, area = s[3:] - of.get("wind", 0), np.pi * 0.0365**2
     speed = np.linalg.norm(v)
-    drag = of["C_D"] * (1 + of.get("by_speed", 0) * (speed / 35 - 1))
-    force = 0.6 * area * (-drag * speed * v + 0.0365 * of["C_M"] * np.cross(omega, v))
-    return np.concatenate([v, force / 0.145 - [0, 0, G]])
+    drag = of["C_D"] * (1 + of.get("drag by speed", 0) * (speed / 35 - 1))
+    lift = of["C_M"] * (1 + of.get("lift by speed", 0) * (speed / 35 - 1)) * np.exp(-t * of.get("spin decay", 0))
+    force = 0.6 * area * (-drag * speed * v + 0.0365 * lift * np.cross(omega, v))
+    return np.concatenate([s[3:], force / 0.145 - [0, 0, G]])
 
 
-def with_spins(random, folder):
-    """Throws of a ball whose spin is unknown, or measured with an error."""
+def hidden_in_ball(random, is_hidden, other):
+    """What the model of a ball lacks: `other`, or, where that is none, the drag by speed or nothing."""
+    if other is None:
+        return {"drag by speed": random.choice([-1, 1]) * random.uniform(0.4, 0.8)} if is_hidden else {}
+    if other == "wind":
+        return {other: random.uniform(2, 5) * np.array([*unit(random.normal(size=2)), 0])}
+    return {other: random.uniform(0.4, 0.8)}
+
+
+def described(hidden):
+    """Kind, causes and description of what is hidden in flights of a ball."""
+    if not hidden:
+        return "none", set(), ""
+    [(name, size)] = hidden.items()
+    return name, {SITES[name]}, f", {name} {np.linalg.norm(size) if name == 'wind' else size:+.2f}"
+
+
+def with_spins(random, folder, other=None):
+    """Throws of a ball whose spin is unknown, or measured with an error; with a hidden drag by speed, or `other`."""
     is_measured, is_hidden = random.random() < 0.5, random.random() < 0.3
+    is_measured = is_measured or other in ("lift by speed", "spin decay")
     truth = {"C_D": random.uniform(0.25, 0.45), "C_M": random.uniform(0.7, 1.1)}
     if not is_measured:
         truth["C_M"] = 0.9
-    hidden = {"by_speed": random.choice([-1, 1]) * random.uniform(0.4, 0.8)} if is_hidden else {}
+    hidden = hidden_in_ball(random, is_hidden, other)
     flights, rate, sigma = int(random.integers(8, 25)), int(random.choice([100, 200])), random.uniform(1e-3, 3e-3)
     (folder / "model.hyz").write_text(BALL)
     lines = ['model = "model.hyz"', "[[markers]]", 'name = "c"', "position = [0.0, 0.0, 0.0]"]
@@ -254,7 +291,7 @@ def with_spins(random, folder):
         speed, up, around = random.uniform(18, 42), random.uniform(0, 0.6), random.normal(0, 0.2)
         v = speed * np.array([np.cos(up) * np.cos(around), np.cos(up) * np.sin(around), np.sin(up)])
         omega = random.normal(0, 100, 3)
-        states = runge_kutta(lambda t, s: ball(s, omega, truth | hidden), np.concatenate([[0, 0, 1.5], v]), 0.9, 1 / rate)
+        states = runge_kutta(lambda t, s: ball(t, s, omega, truth | hidden), np.concatenate([[0, 0, 1.5], v]), 0.9, 1 / rate)
         places = np.array([s[:3] for s in states]) + sigma * random.standard_normal((len(states), 3))
         write(folder / f"flight{flight}.csv", ["t", "c_x", "c_y", "c_z"], [[k / rate, *p] for k, p in enumerate(places)])
         lines += ["[[flights]]", f'file = "flight{flight}.csv"']
@@ -266,16 +303,15 @@ def with_spins(random, folder):
     (folder / "dataset.toml").write_text("\n".join(lines) + "\n")
     spin = "measured to 15 rad/s" if is_measured else "unknown"
     about = f"ball: {flights} flights, {rate} Hz, {sigma * 1e3:.1f} mm, spin {spin}"
-    site = "drag" if is_hidden else None
-    about += f", drag by speed {hidden['by_speed']:+.2f}" if is_hidden else ""
-    return truth, "drag by speed" if is_hidden else "none", site, about
+    kind, causes, told = described(hidden)
+    return truth, kind, causes, about + told
 
 
-def with_summaries(random, folder):
-    """Shots of a ball of which a row tells the release and the landing."""
+def with_summaries(random, folder, other=None):
+    """Shots of a ball of which a row tells the release and the landing; with a hidden drag by speed, or `other`."""
     is_hidden = random.random() < 0.35
     truth = {"C_D": random.uniform(0.25, 0.45), "C_M": random.uniform(0.7, 1.1)}
-    hidden = {"by_speed": random.choice([-1, 1]) * random.uniform(0.4, 0.8)} if is_hidden else {}
+    hidden = hidden_in_ball(random, is_hidden, other)
     shots = int(random.integers(20, 61))
     sigmas = {"speed": 0.2, "launch": 0.005, "heading": 0.005, "spin": 5.0, "spin_axis": 0.02}
     of_outcome = {"carry": 0.5, "side": 0.4, "apex_height": 0.2, "hang_time": 0.05, "landing_angle": 0.01}
@@ -306,7 +342,7 @@ def with_summaries(random, folder):
             end["landing_angle"] = np.arctan2(-at[5], np.hypot(at[3], at[4]))
             return True
 
-        runge_kutta(lambda t, s: ball(s, omega, truth | hidden), np.concatenate([[0, 0, 0], v]), 20, 0.01, landed)
+        runge_kutta(lambda t, s: ball(t, s, omega, truth | hidden), np.concatenate([[0, 0, 0], v]), 20, 0.01, landed)
         told = {name: value + sigmas[name] * random.standard_normal() for name, value in release.items()}
         told |= {name: end[name] + sigma * random.standard_normal() for name, sigma in of_outcome.items()}
         rows.append([told[name] for name in units])
@@ -318,9 +354,12 @@ def with_summaries(random, folder):
         sigma = (sigmas | of_outcome)[name]
         lines.append(f'"{name}" = {{ is = "{name}", unit = "{unit}", sigma = {sigma} }}')
     (folder / "dataset.toml").write_text("\n".join(lines) + "\n")
-    about = f"shots: {shots} rows" + (f", drag by speed {hidden['by_speed']:+.2f}" if is_hidden else "")
-    return truth, "drag by speed" if is_hidden else "none", "drag" if is_hidden else None, about
+    kind, causes, told = described(hidden)
+    return truth, kind, causes, f"shots: {shots} rows{told}"
 
+
+# Sites of what is hidden in flights of a ball.
+SITES = {"drag by speed": "drag", "lift by speed": "lift", "spin decay": "lift", "wind": "wind"}
 
 KINDS = [
     ("inputs", lambda random, folder: with_inputs(random, folder, False)),
@@ -329,16 +368,25 @@ KINDS = [
     ("spins", with_spins),
     ("summaries", with_summaries),
 ]
+# Further causes, in sets of their own.
+FURTHER = [
+    ("inputs", lambda random, folder: with_inputs(random, folder, False, "two errors")),
+    ("inputs", lambda random, folder: with_inputs(random, folder, True, "two errors")),
+    ("inputs", lambda random, folder: with_inputs(random, folder, False, "wind")),
+    *(("spins", lambda random, folder, own=own: with_spins(random, folder, own)) for own in ("wind", "lift by speed", "spin decay")),
+    *(("summaries", lambda random, folder, own=own: with_summaries(random, folder, own)) for own in ("wind", "lift by speed")),
+]
 
 
 def run(number, keep=None):
     """One dataset: what it has, how it is fitted, and what the diagnosis says."""
-    group, make = KINDS[number % len(KINDS)]
+    kinds = KINDS if number < FIRST_FURTHER else FURTHER
+    group, make = kinds[number % len(kinds)]
     random = np.random.default_rng([8, number])
     with tempfile.TemporaryDirectory() as made:
         folder = Path(keep or made)
         folder.mkdir(parents=True, exist_ok=True)
-        truth, kind, cause, about = make(random, folder)
+        truth, kind, causes, about = make(random, folder)
         found = {"number": number, "group": group, "dataset": about, "kind": kind}
         fixed = {"C_M": 0.9} if "spin unknown" in about else {}
         begin = time.process_time()
@@ -359,18 +407,18 @@ def run(number, keep=None):
             begin = time.process_time()
             told = hyzer.diagnose(folder, fixed=fixed, threads=1)
             found["diagnosis, s"] = time.process_time() - begin
-            found |= judged(told, kind, cause)
+            found |= judged(told, kind, causes)
         return found
 
 
-def judged(told, kind, cause):
-    """What a diagnosis says, and whether it is right."""
+def judged(told, kind, causes):
+    """What a diagnosis says, and whether it is right: an explanation has the effects or sites `causes`, all of them."""
     sets = [[effect.name for effect in own.effects] for own in told.explanations]
     says = f"{told.verdict}: " + " | ".join(" + ".join(names) for names in sets[:4])
     if not told.reliable:
         says += "; not reliable"
-    sites = [{effect.site for effect in own.effects} for own in told.explanations]
-    is_named = any(cause in names for names in sets) if group_of(kind) == "input" else any("drag" in own for own in sites)
+    found = [{word for effect in own.effects for word in (effect.name, effect.site)} for own in told.explanations]
+    is_named = any(causes <= own for own in found)
     verdict = str(told.verdict).lower()
     if kind in ("none", "noise"):
         judgement = "wrong cause" if verdict == "identified" else "right"
@@ -383,10 +431,6 @@ def judged(told, kind, cause):
     return {"diagnosis": says, "judgement": judgement}
 
 
-def group_of(kind):
-    return "input" if kind in ("delay", "lag", "bias", "scale") else "other"
-
-
 def percent(part, whole):
     return f"{100 * part / whole:.1f} % ({part} of {whole})" if whole else "–"
 
@@ -396,11 +440,12 @@ def page(found):
     clean = [own for own in found if own["kind"] == "none" and "of" in own]
     right = [own for own in clean if own["fit"] == "reliable"]
     wrong = [own for own in found if own["fit"] == "reliable" and own["error"] > MAX_ERRORS]
-    errors = [own for own in found if group_of(own["kind"]) == "input" and "judgement" in own]
+    errors = [own for own in found if own["kind"] in ("delay", "lag", "bias", "scale") and "judgement" in own]
     hidden = [own for own in found if own["kind"] == "drag by speed" and "judgement" in own]
+    further = sorted({(own["group"], own["kind"]) for own in found if own["number"] >= FIRST_FURTHER})
     told = [own for own in found if "judgement" in own]
     noise = [own for own in found if own["kind"] == "noise"]
-    named = lambda sets: [own for own in sets if own["judgement"] in ("right", "in the set")]
+    named = lambda sets: [own for own in sets if own.get("judgement") in ("right", "in the set")]
     slow = [own for own in found if max(own.get("fit, s", 0), own.get("diagnosis, s", 0)) > 20]
 
     def row(what, bar, value):
@@ -413,7 +458,8 @@ def page(found):
         "",
         f"{len(found)} datasets, simulated by the integrator of `studies/beside/beside.py`: a drone and a bicopter whose inputs are recorded at",
         "20 to 200 Hz (linear or held between samples), right or with a delay, a lag, a bias, a wrong scale or noise; a ball whose spin is unknown, or",
-        "measured to 15 rad/s; shots of which a row tells release and landing, both with errors. In some the drag changes with the speed.",
+        "measured to 15 rad/s; shots of which a row tells release and landing, both with errors. In some the drag changes with the speed; in sets of",
+        "their own both inputs have an error, there is a wind, the lift changes with the speed, or the spin decays.",
         "",
         "| criterion | required | measured |",
         "|---|---|---|",
@@ -427,6 +473,9 @@ def page(found):
         row(f"reliable fits with an estimate off by more than {MAX_ERRORS:.0f} standard errors", "", percent(len(wrong), len(found))),
         row("errors of inputs named, alone or in the set", "97 %", percent(len(named(errors)), len(errors))),
         row("hidden drag by speed named, alone or in the set", "97 %", percent(len(named(hidden)), len(hidden))),
+        *(row(f"{group}: hidden {kind} named, alone or in the set", "97 %",
+              percent(len(named([o for o in found if (o["group"], o["kind"]) == (group, kind)])),
+                      sum((o["group"], o["kind"]) == (group, kind) for o in found))) for group, kind in further),
         row("a wrong cause named alone", "at most 0.5 %", percent(sum(o["judgement"] == "wrong cause" for o in told), len(told))),
         row("noisy inputs: reliable and wrong", "", percent(sum(o in wrong for o in noise), len(noise))),
         row("longer than 20 s", "0", str(len(slow))),
@@ -447,6 +496,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path)
     parser.add_argument("--sets", type=int, default=300)
+    parser.add_argument("--further", type=int, default=120, help="number of sets with further causes")
     parser.add_argument("--only", type=int, help="one dataset, printed")
     parser.add_argument("--keep", type=Path, help="folder for the dataset of --only")
     given = parser.parse_args()
@@ -454,9 +504,10 @@ def main():
         for name, value in run(given.only, given.keep).items():
             print(f"{name}: {value}")
         return
+    numbers = [*range(given.sets), *range(FIRST_FURTHER, FIRST_FURTHER + given.further)]
     with multiprocessing.get_context("spawn").Pool(2) as pool:
         found = []
-        for own in pool.imap(run, range(given.sets)):
+        for own in pool.imap(run, numbers):
             found.append(own)
             print(own["number"], own["dataset"], own["fit"], own.get("judgement", ""), flush=True)
     text = page(found)

@@ -107,7 +107,12 @@ fn fit_after(
 ) -> Result<Fit, FitError> {
     options.validate()?;
     parallel::within(options.threads(), || {
-        let mut fit = fit_within(model, dataset, options, earlier)?;
+        let found = fit_within(model, dataset, options, earlier);
+        let faults = trial::other_unit(model, dataset, options, &found)?;
+        if !faults.is_empty() {
+            return Err(FitError::FaultyData(faults));
+        }
+        let mut fit = found?;
         // The fits of a diagnosis, whose faults are known, hold what its first fit held.
         if options.known_faults.is_none() && !options.fixed.is_empty() {
             let conflicts = trial::conflicts(model, dataset, options, &fit)?;

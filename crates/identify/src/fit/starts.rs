@@ -38,6 +38,10 @@ const STARTS: usize = 2;
 /// Maximum number of times that all flights are fitted again after single flights moved to better initial states.
 const EXCHANGES: usize = 3;
 
+/// Number of fits of least deviance whose single flights are tried from their other guesses: those of wrong minima rarely
+/// arrive at the best one, and cost as much.
+const EXCHANGED: usize = 2;
+
 /// Number of flights with which the minimum is searched where several instruments observe each; the others start there
 /// at their best initial states. Flights of one instrument determine the minimum only all together.
 const SEARCHED: usize = 4;
@@ -224,7 +228,8 @@ pub fn best_of_several(
 }
 
 /// Fits the flights from guesses of every speed, until two fits arrive at the least deviance. If none do, single
-/// flights are tried from their other guesses. If one fit alone arrives, this becomes a doubt of the fit.
+/// flights of the best fits are tried from their other guesses. If one fit alone arrives, this becomes a doubt of the
+/// fit.
 fn best_minimum<'a>(
     start: State<'a>,
     guesses: &Guesses<'_>,
@@ -246,7 +251,11 @@ fn best_minimum<'a>(
         }
     }
     if least_deviance(&arrivals.fits).1 < 2 {
-        for (state, cache) in &mut arrivals.fits {
+        let deviances = deviances(&arrivals.fits);
+        let mut order: Vec<usize> = (0..deviances.len()).collect();
+        order.sort_by(|&a, &b| by_deviance(&deviances[a], &deviances[b]));
+        for place in order.into_iter().take(EXCHANGED) {
+            let (state, cache) = &mut arrivals.fits[place];
             exchange_initial_states(state, cache, guesses)?;
         }
     }
@@ -258,26 +267,33 @@ fn best_minimum<'a>(
     arrivals.take(best, (number < 2).then_some(doubt))
 }
 
-/// Index of the fit with the least deviance, and the number of fits that arrive at it.
-fn least_deviance(fits: &[(State<'_>, ResidualCache)]) -> (usize, usize) {
+/// Number of flights lost and deviance of each fit: one that has lost flights is no better for it.
+fn deviances(fits: &[(State<'_>, ResidualCache)]) -> Vec<(usize, f64)> {
     let scales = fits.iter().map(|(_, cache)| cache.median_scale());
     let scale = scales.fold(f64::INFINITY, f64::min);
-    let deviance = |(state, cache): &(State<'_>, ResidualCache)| {
+    let of_fit = |(state, cache): &(State<'_>, ResidualCache)| {
         let (squares, count) = cache.clipped_squares(scale);
         let count = count as f64;
-        // A fit that has lost flights is no better for it.
-        let lost = state.excluded.len() as f64;
-        (lost, count * (squares / count).ln())
+        (state.excluded.len(), count * (squares / count).ln())
     };
-    let deviances: Vec<(f64, f64)> = fits.iter().map(deviance).collect();
-    let order = |a: &(f64, f64), b: &(f64, f64)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
-    let Some(least) = deviances.iter().copied().min_by(order) else {
+    fits.iter().map(of_fit).collect()
+}
+
+fn by_deviance(a: &(usize, f64), b: &(usize, f64)) -> std::cmp::Ordering {
+    a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+}
+
+/// Index of the fit with the least deviance, and the number of fits that arrive at it.
+fn least_deviance(fits: &[(State<'_>, ResidualCache)]) -> (usize, usize) {
+    let deviances = deviances(fits);
+    let places = 0..deviances.len();
+    let best = places.min_by(|&a, &b| by_deviance(&deviances[a], &deviances[b]));
+    let Some(best) = best else {
         return (0, 0);
     };
-    let is_same = |own: &&(f64, f64)| own.0 == least.0 && own.1 - least.1 < SAME_MINIMUM;
-    let best = deviances.iter().position(|own| *own == least);
-    let number = deviances.iter().filter(is_same).count();
-    (best.unwrap_or(0), number)
+    let least = deviances[best];
+    let is_same = |own: &&(usize, f64)| own.0 == least.0 && own.1 - least.1 < SAME_MINIMUM;
+    (best, deviances.iter().filter(is_same).count())
 }
 
 /// Initial guesses of flights, which may be excluded one after the other.

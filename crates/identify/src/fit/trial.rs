@@ -1,4 +1,5 @@
-//! Trial fits: of data whose faults may be loads of the model, and of values that the user holds.
+//! Trial fits: of data whose faults may be loads of the model, of readings in another unit, and of values that the user
+//! holds.
 
 use model_spec::model::Model;
 
@@ -6,7 +7,8 @@ use super::{Fit, FitError, fit_within};
 use crate::error::{DataFault, FaultKind};
 use crate::numbers::Digits;
 use crate::options::FitOptions;
-use crate::report::MAX_PRIOR_CONFLICT;
+use crate::report::{LACK_OF_FIT_LEVEL, LackOfFit, MAX_PRIOR_CONFLICT};
+use crate::screening::OtherUnit;
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight, Role};
 
@@ -36,8 +38,22 @@ pub fn remove_refuted(
     if options.trust_data || !to_fit.clone().all(is_common) {
         return Ok(());
     }
-    let tried = Dataset {
-        flights: to_fit.take(FLIGHTS).cloned().collect(),
+    let found = tried(model, dataset, to_fit.cloned(), options)?;
+    if found.is_some_and(|fit| flies_as_recorded(&fit)) {
+        faults.retain(|fault| !rests_on_loads(fault.fault));
+    }
+    Ok(())
+}
+
+/// Fit of a few of `flights`, which take the place of those of the dataset, as they are; `None` if it has no result.
+fn tried(
+    model: &Model,
+    dataset: &Dataset,
+    flights: impl Iterator<Item = Flight>,
+    options: &FitOptions<'_>,
+) -> Result<Option<Fit>, FitError> {
+    let few = Dataset {
+        flights: flights.take(FLIGHTS).collect(),
         ..dataset.clone()
     };
     let as_they_are = FitOptions {
@@ -45,16 +61,43 @@ pub fn remove_refuted(
         profiles: &[],
         ..*options
     };
-    match fit_within(model, &tried, &as_they_are, None) {
-        Ok(fit) => {
-            if flies_as_recorded(&fit) {
-                faults.retain(|fault| !rests_on_loads(fault.fault));
-            }
-            Ok(())
-        }
+    match fit_within(model, &few, &as_they_are, None) {
         Err(FitError::Interrupted) => Err(FitError::Interrupted),
-        Err(_) => Ok(()),
+        found => Ok(found.ok()),
     }
+}
+
+/// Faults of readings whose unit they do not tell by themselves: as they are, the flights have no fit or one that is not
+/// to the noise, and in the other unit they fit to the noise.
+pub fn other_unit(
+    model: &Model,
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+    as_they_are: &Result<Fit, FitError>,
+) -> Result<Vec<DataFault>, FitError> {
+    if options.trust_data || options.known_faults.is_some() {
+        return Ok(Vec::new());
+    }
+    let units = OtherUnit::untold(dataset);
+    let fails = |fit: &Fit| {
+        let test = LackOfFit::of_fit(fit, options.threads()).ok()??;
+        Some(test.fails(LACK_OF_FIT_LEVEL) || fit.report.is_above_noise())
+    };
+    let may_be_wrong = match as_they_are {
+        Err(FitError::Interrupted | FitError::FaultyData(_)) => false,
+        Err(_) => true,
+        Ok(fit) => !units.is_empty() && fails(fit) == Some(true),
+    };
+    for unit in units.into_iter().filter(|_| may_be_wrong) {
+        let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
+        let converted = to_fit.map(|flight| unit.converted(flight.clone()));
+        let found = tried(model, dataset, converted, options)?;
+        if found.and_then(|fit| fails(&fit)) == Some(false) {
+            let why = "the flights fit to the noise in this unit, and not as they are";
+            return Ok(unit.faults(dataset, why));
+        }
+    }
+    Ok(Vec::new())
 }
 
 /// Whether a fault is inferred from loads that screening assumes.

@@ -25,6 +25,11 @@ impl FitReport {
         self.reliable = self.cautions.is_empty();
     }
 
+    /// Whether the residuals exceed the noise floor, or the noise that the distances between markers show.
+    pub(crate) fn is_above_noise(&self) -> bool {
+        self.excess.is_some() || above_noise_floor(self).is_some()
+    }
+
     /// Sentences on what the user states and the data contradict.
     #[doc(hidden)]
     pub fn conflicts(&self) -> Vec<String> {

@@ -16,6 +16,7 @@ mod track;
 use flight::parallel;
 
 use self::free_fall::FreeFall;
+pub(crate) use self::sensors::OtherUnit;
 use self::track::Track;
 use crate::error::{DataFault, ExcludedFlight, FaultKind, FlightError};
 use crate::ground_contact::ContactSearch;

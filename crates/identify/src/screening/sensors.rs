@@ -49,11 +49,10 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
             SensorKind::Instrument(Instrument::Speed) | SensorKind::Summary(_) => None,
             SensorKind::Instrument(instrument) => {
                 faults.extend(saturated(dataset, (sensor, channel)));
-                let message = match instrument {
-                    Instrument::Gyroscope => unit_of_rates(dataset, (sensor, channel)),
-                    _ => unit_of_forces(dataset, (sensor, channel)),
-                };
-                message.map(|message| (FaultKind::SensorUnit, message))
+                let found = unit(dataset, instrument, (sensor, channel)).filter(|unit| *unit > 0);
+                found.map(|unit| {
+                    OtherUnit::new(sensor, channel, instrument, unit).fault(why(instrument))
+                })
             }
             SensorKind::Pose => inertia(problem)
                 .and_then(|inertia| {
@@ -63,11 +62,11 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
                 })
                 .map(|message| (FaultKind::AttitudeConvention, message)),
         };
-        if let Some((kind, (detail, correction))) = found {
-            let flights = dataset.flights.iter();
-            let with = flights.filter(|flight| series(flight, channel).next().is_some());
-            faults.extend(with.map(|flight| DataFault::new(flight, kind, &*detail, &*correction)));
-        }
+        faults.extend(
+            found
+                .into_iter()
+                .flat_map(|found| of_flights(dataset, channel, found)),
+        );
         channel += sensor.kind.channels().len();
     }
     faults
@@ -133,54 +132,122 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
     faults
 }
 
-/// Unit of `known` that is near the median of the `apparent` units of the flights that determine it; `None` if that is
-/// the first one, or none is near.
-fn other_unit(
-    dataset: &Dataset,
-    known: &'static [(&'static str, f64)],
-    apparent: impl Fn(&Flight) -> Option<f64>,
-) -> Option<&'static str> {
-    let found = median_of(dataset.flights.iter().filter_map(apparent))?;
-    let is_near = |unit: f64| (found / unit - 1.0).abs() < UNIT_ERROR;
-    let (name, unit) = known.iter().find(|(_, unit)| is_near(*unit))?;
-    (*unit != known[0].1).then_some(*name)
-}
-
-/// Message and correction for rates in another unit than rad/s.
-fn unit_of_rates(
-    dataset: &Dataset,
-    (sensor, channel): (&Sensor, usize),
-) -> Option<(String, String)> {
-    let apparent = |flight: &Flight| apparent_unit(flight, channel);
-    let unit = other_unit(dataset, &ANGULAR_RATES, apparent)?;
-    Some((
-        format!(
-            "{} seems to be in {unit}: the readings follow the motion of the body only in this unit",
-            sensor.name
-        ),
-        format!("state `angular_rate = \"{unit}\"` in [recording], or write rad/s"),
-    ))
-}
-
-/// Message and correction for specific forces in another unit than m/s², by the rates of a gyroscope.
-fn unit_of_forces(
-    dataset: &Dataset,
-    (sensor, channel): (&Sensor, usize),
-) -> Option<(String, String)> {
-    let (gyroscope, rates) = gyroscope(dataset)?;
-    if sensor.position_is_unknown || unit_of_rates(dataset, (gyroscope, rates)).is_some() {
-        return None;
+/// Units in which an instrument may record; the first is that of a dataset.
+fn units(instrument: Instrument) -> &'static [(&'static str, f64)] {
+    match instrument {
+        Instrument::Gyroscope => &ANGULAR_RATES,
+        Instrument::Accelerometer => &ACCELERATIONS,
+        Instrument::Speed => &[],
     }
-    let place = Vector3::from(sensor.position);
-    let apparent = |flight: &Flight| apparent_unit_of_forces(flight, [channel, rates], place);
-    let unit = other_unit(dataset, &ACCELERATIONS, apparent)?;
-    Some((
-        format!(
-            "{} seems to be in {unit}: only in this unit do the readings show the centripetal acceleration that the rates of {} give at its place",
-            sensor.name, gyroscope.name
-        ),
-        format!("state `acceleration = \"{unit}\"` in [recording], or write m/s²"),
-    ))
+}
+
+/// Why readings are in another unit than the stated one.
+fn why(instrument: Instrument) -> &'static str {
+    match instrument {
+        Instrument::Accelerometer => {
+            "only in this unit do the readings show the centripetal acceleration that the measured rates give at its place"
+        }
+        _ => "the readings follow the motion of the body only in this unit",
+    }
+}
+
+/// Index among [`units`] of the one that is near the median of what the flights show; `None` if the mechanics of the
+/// body do not tell it.
+fn unit(
+    dataset: &Dataset,
+    instrument: Instrument,
+    (sensor, channel): (&Sensor, usize),
+) -> Option<usize> {
+    let flights = dataset.flights.iter();
+    let found = match instrument {
+        Instrument::Speed => None,
+        Instrument::Gyroscope => median_of(flights.filter_map(|own| apparent_unit(own, channel))),
+        Instrument::Accelerometer => {
+            let (gyroscope, rates) = gyroscope(dataset)?;
+            let of_rates = unit(dataset, Instrument::Gyroscope, (gyroscope, rates));
+            if sensor.position_is_unknown || of_rates.is_some_and(|unit| unit > 0) {
+                return None;
+            }
+            let place = Vector3::from(sensor.position);
+            let apparent = |own| apparent_unit_of_forces(own, [channel, rates], place);
+            median_of(flights.filter_map(apparent))
+        }
+    }?;
+    let is_near = |unit: f64| (found / unit - 1.0).abs() < UNIT_ERROR;
+    let mut known = units(instrument).iter();
+    known.position(|(_, unit)| is_near(*unit))
+}
+
+/// Another unit than the stated one in which an instrument may have recorded.
+pub struct OtherUnit {
+    sensor: String,
+    channel: usize,
+    instrument: Instrument,
+    unit: &'static (&'static str, f64),
+}
+
+impl OtherUnit {
+    fn new(sensor: &Sensor, channel: usize, instrument: Instrument, unit: usize) -> Self {
+        Self {
+            sensor: sensor.name.clone(),
+            channel,
+            instrument,
+            unit: &units(instrument)[unit],
+        }
+    }
+
+    /// The other units of the instruments whose readings do not tell their unit.
+    pub fn untold(dataset: &Dataset) -> Vec<Self> {
+        let (mut found, mut channel) = (Vec::new(), 0);
+        for sensor in &dataset.sensors {
+            if let SensorKind::Instrument(instrument) = sensor.kind
+                && unit(dataset, instrument, (sensor, channel)).is_none()
+            {
+                let others = 1..units(instrument).len();
+                found.extend(others.map(|unit| Self::new(sensor, channel, instrument, unit)));
+            }
+            channel += sensor.kind.channels().len();
+        }
+        found
+    }
+
+    /// The flight with readings converted from this unit.
+    pub fn converted(&self, mut flight: Flight) -> Flight {
+        let readings = flight.readings.iter_mut();
+        for reading in readings.filter_map(|row| row.get_mut(self.channel)?.as_mut()) {
+            *reading = reading.map(|part| part * self.unit.1);
+        }
+        flight
+    }
+
+    /// Message and correction, given how the unit was found.
+    fn fault(&self, why: &str) -> (FaultKind, (String, String)) {
+        let (sensor, (unit, _)) = (&self.sensor, self.unit);
+        let (key, si) = match self.instrument {
+            Instrument::Accelerometer => ("acceleration", "m/s²"),
+            _ => ("angular_rate", "rad/s"),
+        };
+        let detail = format!("{sensor} seems to be in {unit}: {why}");
+        let correction = format!("state `{key} = \"{unit}\"` in [recording], or write {si}");
+        (FaultKind::SensorUnit, (detail, correction))
+    }
+
+    /// Faults of the flights with readings in this unit, given how it was found.
+    pub fn faults(&self, dataset: &Dataset, why: &str) -> Vec<DataFault> {
+        of_flights(dataset, self.channel, self.fault(why))
+    }
+}
+
+/// A fault of every flight with readings in a channel.
+fn of_flights(
+    dataset: &Dataset,
+    channel: usize,
+    (kind, (detail, correction)): (FaultKind, (String, String)),
+) -> Vec<DataFault> {
+    let flights = dataset.flights.iter();
+    let with = flights.filter(|flight| series(flight, channel).next().is_some());
+    with.map(|flight| DataFault::new(flight, kind, &*detail, &*correction))
+        .collect()
 }
 
 /// The first gyroscope and its channel.

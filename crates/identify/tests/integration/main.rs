@@ -9,3 +9,4 @@ mod known_and_markers;
 mod planar;
 mod single_flights;
 mod summaries;
+mod units_of_readings;

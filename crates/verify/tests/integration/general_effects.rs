@@ -120,6 +120,7 @@ fn forces_act_where_they_say() {
         ),
         ("drag_by_height", "drag_z", -v * speed * POSITION.z),
         ("missing_gravity", "gravity_error", down),
+        ("level_force", "level_y", V::y()),
     ] {
         let error = (added(effect, coefficient) - expected).norm();
         assert!(error < 1e-12 * speed.powi(3), "{effect}: {error:e}");
