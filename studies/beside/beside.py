@@ -90,13 +90,13 @@ observe mark = position + mark;
 """
 
 
-def runge_kutta(rate, state, seconds, every, each=None):
-    """States every `every` seconds, by classical steps; `each(before, after)` may end the flight."""
-    states, steps = [state], round(every / STEP)
+def runge_kutta(rate, state, seconds, every, each=None, step=STEP):
+    """States every `every` seconds, by classical steps of about `step`; `each(t, h, before, after)` may end the flight."""
+    states, steps = [state], round(every / step)
     h = every / steps
     for sample in range(round(seconds / every)):
-        for step in range(steps):
-            t = sample * every + step * h
+        for part in range(steps):
+            t = sample * every + part * h
             a = rate(t, state)
             b = rate(t + h / 2, state + h / 2 * a)
             c = rate(t + h / 2, state + h / 2 * b)
@@ -342,7 +342,7 @@ def with_summaries(random, folder, other=None):
             end["landing_angle"] = np.arctan2(-at[5], np.hypot(at[3], at[4]))
             return True
 
-        runge_kutta(lambda t, s: ball(t, s, omega, truth | hidden), np.concatenate([[0, 0, 0], v]), 20, 0.01, landed)
+        runge_kutta(lambda t, s: ball(t, s, omega, truth | hidden), np.concatenate([[0, 0, 0], v]), 20, 0.01, landed, 5e-3)
         told = {name: value + sigmas[name] * random.standard_normal() for name, value in release.items()}
         told |= {name: end[name] + sigma * random.standard_normal() for name, sigma in of_outcome.items()}
         rows.append([told[name] for name in units])

@@ -3,7 +3,7 @@
 #[path = "../tests/integration/disc/mod.rs"]
 mod disc;
 
-use ode::{DifferentiableRhs, Sensitivities};
+use ode::{DifferentiableRhs, Projection, Sensitivities};
 use ode::{Event, IntegrationOptions, Method, OdeRhs, integrate, integrate_at, integrate_to_end};
 use std::hint::black_box;
 use std::time::Instant;
@@ -45,6 +45,12 @@ impl DifferentiableRhs for Entries {
         disc::rate(x, &disc::DISC, &disc::AIR, dx);
         j.fill(1e-3);
         jp.fill(1e-3);
+    }
+    fn projection(&self) -> Option<Projection> {
+        None
+    }
+    fn time_breaks(&self) -> &[f64] {
+        &[]
     }
 }
 

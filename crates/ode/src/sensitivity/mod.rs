@@ -31,13 +31,9 @@ pub trait DifferentiableRhs {
         parameter_jacobian: &mut [f64],
     );
     /// Projection onto what the equations keep, as [`OdeRhs::projection`].
-    fn projection(&self) -> Option<Projection> {
-        None
-    }
+    fn projection(&self) -> Option<Projection>;
     /// Times at which f may jump, as [`OdeRhs::time_breaks`].
-    fn time_breaks(&self) -> &[f64] {
-        &[]
-    }
+    fn time_breaks(&self) -> &[f64];
     /// Name of a state, used in error messages only.
     fn state_name(&self, state: usize) -> Cow<'_, str> {
         format!("state {state}").into()
@@ -255,6 +251,12 @@ mod tests {
             for (i, value) in j.iter_mut().enumerate() {
                 *value = (i + 1) as f64;
             }
+        }
+        fn projection(&self) -> Option<Projection> {
+            None
+        }
+        fn time_breaks(&self) -> &[f64] {
+            &[]
         }
     }
 

@@ -2,7 +2,8 @@
 
 use crate::rhs;
 use ode::{
-    DifferentiableRhs, Event, IntegrationOptions, Method, Sensitivities, integrate, integrate_at,
+    DifferentiableRhs, Event, IntegrationOptions, Method, Projection, Sensitivities, integrate,
+    integrate_at,
 };
 
 /// Harmonic oscillator x'' = -k x, with its Jacobians by (x, v) and by the stiffness k.
@@ -31,6 +32,12 @@ impl DifferentiableRhs for Oscillator {
         dx.copy_from_slice(&[x[1], -self.stiffness * x[0]]);
         jacobian.copy_from_slice(&[1.0, -self.stiffness]);
         parameter_jacobian[0] = -x[0];
+    }
+    fn projection(&self) -> Option<Projection> {
+        None
+    }
+    fn time_breaks(&self) -> &[f64] {
+        &[]
     }
 }
 

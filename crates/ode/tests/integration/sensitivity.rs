@@ -1,7 +1,7 @@
 //! Sensitivities against closed forms and against flights that start a little elsewhere.
 
 use crate::rhs;
-use ode::{DifferentiableRhs, Sensitivities};
+use ode::{DifferentiableRhs, Projection, Sensitivities};
 use ode::{IntegrationOptions, Method, integrate, integrate_at, integrate_with_callback};
 
 /// Driven pendulum with three parameters: stiffness, friction, and one on which the right-hand side does not depend.
@@ -34,6 +34,12 @@ impl DifferentiableRhs for Pendulum {
         dx.copy_from_slice(&Pendulum::rate(&self.0, t, &[x[0], x[1]]));
         by_state.copy_from_slice(&[1.0, -self.0[0] * x[0].cos(), -3.0 * self.0[1] * x[1] * x[1]]);
         by_constant.copy_from_slice(&[-x[0].sin(), -x[1].powi(3)]);
+    }
+    fn projection(&self) -> Option<Projection> {
+        None
+    }
+    fn time_breaks(&self) -> &[f64] {
+        &[]
     }
 }
 
