@@ -183,7 +183,7 @@ fn shell_by_turns_of_yaw_and_acceleration() {
     // The reference has no table: drag that does not depend on the Mach number.
     let text = text
         .replace(table, "")
-        .replace("C_D0(V/sound)", "0.3 + 0*V/sound");
+        .replace("C_D0(V/sound)", "(0.3 + 0*V/sound)");
     let end = reference(start, |x| {
         let (v, p) = ([x[3], x[4], x[5]], x[6]);
         let speed = dot(v, v).sqrt();
