@@ -146,9 +146,12 @@ impl Parser<'_> {
             }
             ExprKind::Neg(of) => self.give_unit(of, unit),
             _ => {
-                let message = format!("`{e}` is no plain number, but `{unit}` stands behind all entries");
+                let message =
+                    format!("`{e}` is no plain number, but `{unit}` stands behind all entries");
                 let fault = Diagnostic::new(Kind::Grammar, e.span, message);
-                self.refuse(fault.help("state the unit of each number by itself, as in `2 [kg*m^2]`"))
+                self.refuse(
+                    fault.help("state the unit of each number by itself, as in `2 [kg*m^2]`"),
+                )
             }
         }
     }

@@ -13,7 +13,11 @@ impl Display for File {
         let changed = self.changed_bodies();
         while let Some(own) = self.items.get(at) {
             // Of a changed body, the statements that it stands for are written instead.
-            if own.kind.of_body().is_some_and(|body| changed.contains(&body)) {
+            if own
+                .kind
+                .of_body()
+                .is_some_and(|body| changed.contains(&body))
+            {
                 at += 1;
                 continue;
             }

@@ -129,7 +129,8 @@ fn derivatives_of_long_products_count_each_of_their_terms() {
             .collect();
         let names: Vec<String> = (0..factors).map(|k| format!("s{k}")).collect();
         let product = names.join("*");
-        let rest = format!("{states} let a = {product}; let b = der(der(a)); der(v) = 0; der(w) = 0;");
+        let rest =
+            format!("{states} let a = {product}; let b = der(der(a)); der(v) = 0; der(w) = 0;");
         from_text("probe.hyz", &format!("{HEAD}{rest}"), &[])
     };
     assert!(with(12).is_ok());

@@ -1,7 +1,7 @@
 //! What is printed reads the same.
 
-use crate::load::{BODIES, EFFECTS, MODELS, REFUTED};
 use crate::check;
+use crate::load::{BODIES, EFFECTS, MODELS, REFUTED};
 use crate::syntax::ast::{BinaryOp, ExprKind, File};
 use crate::syntax::parse;
 

@@ -151,7 +151,13 @@ impl Laws<'_> {
                 for turn in turns {
                     made.state(&turn.rate(), at_rest(turn.angle, Unit::RATE));
                 }
-                for (k, Turn { frame: of, axis, .. }) in turns.iter().enumerate() {
+                for (
+                    k,
+                    Turn {
+                        frame: of, axis, ..
+                    },
+                ) in turns.iter().enumerate()
+                {
                     let direction = format!("in_{frame}({of}.{axis})");
                     made.formula(format!("{own}__axis_{}", k + 1), &direction, true);
                 }
