@@ -1,6 +1,6 @@
 //! Names, words and units that may stand at a place.
 
-use model_spec::symbols::{Declaration, SymbolKind};
+use model_spec::symbols::{BodyQuantity, Declaration, INNER, SymbolKind};
 use model_spec::unit::symbol;
 use serde_json::{Value, json};
 
@@ -9,26 +9,12 @@ use super::facts;
 use super::hover::facts_of;
 use super::includes;
 use super::project::Project;
-use super::words::{INNER, built_in, statements};
+use super::words::{built_in, statements};
 
 /// Units that are offered besides all symbols without a prefix.
 const COMPOUND: [&str; 18] = [
     "kg", "mm", "cm", "km", "ms", "m/s", "m/s^2", "rad/s", "kg*m^2", "kg/m^3", "N*m", "N*m*s",
     "m^2", "km/h", "/s", "/rad", "/rad^2", "mN",
-];
-
-/// Quantities of a body after the first one: what its name follows, and their meaning.
-const OF_BODY: [(&str, &str); 7] = [
-    ("position_of", "position of the mass centre"),
-    ("velocity_of", "velocity of the mass centre"),
-    ("angular_velocity_of", "angular velocity"),
-    (
-        "angular_momentum_of",
-        "angular momentum about the mass centre",
-    ),
-    ("mass_of", "mass"),
-    ("force_on", "sum of the forces"),
-    ("moment_on", "sum of the moments about the mass centre"),
 ];
 
 /// What may stand at a place.
@@ -209,8 +195,8 @@ fn of_bodies(project: &Project<'_>) -> Vec<Value> {
     let declarations = project.symbols.declarations.iter();
     let bodies = declarations.filter(|own| own.kind == SymbolKind::Body);
     let all = bodies.flat_map(|body| {
-        OF_BODY.iter().filter_map(|(words, doc)| {
-            let name = format!("{words}_{}", body.name);
+        BodyQuantity::ALL.iter().filter_map(|quantity| {
+            let (name, doc) = (quantity.of(&body.name), quantity.meaning());
             let facts = facts::of_value(model, &name)?;
             Some(json!({ "label": name, "kind": 6, "detail": facts.of, "documentation": doc }))
         })

@@ -22,23 +22,6 @@ fn table(text: &'static str) -> Vec<Word> {
     text.lines().filter_map(row).collect()
 }
 
-/// Words inside statements.
-pub const INNER: [&str; 13] = [
-    "in",
-    "turned",
-    "about",
-    "by",
-    "quaternion",
-    "within",
-    "relative",
-    "for",
-    "on",
-    "or",
-    "vector",
-    "monotone",
-    "constant",
-];
-
 /// The keyword, or the function or quantity, of this name.
 pub fn find(word: &str, is_keyword: bool) -> Option<Word> {
     let all = if is_keyword { statements() } else { built_in() };

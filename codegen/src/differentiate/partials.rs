@@ -135,40 +135,103 @@ fn collect(
     }
 }
 
+/// Derivative of an expression by a symbol.
 pub(crate) fn total(graph: &mut ExprGraph, id: NodeId, by: Symbol) -> NodeId {
-    let mut known = FastMap::default();
-    total_of(graph, id, by, &mut known)
+    let one = graph.whole(1);
+    along(graph, id, &[(by, one)])
 }
 
-fn total_of(
-    graph: &mut ExprGraph,
-    id: NodeId,
-    by: Symbol,
-    known: &mut FastMap<NodeId, NodeId>,
-) -> NodeId {
-    if let Some(&derivative) = known.get(&id) {
-        return derivative;
-    }
-    let derivative = match graph.node(id).clone() {
-        Node::Number(_) => graph.whole(0),
-        Node::Symbol(symbol) if symbol == by => graph.whole(1),
-        Node::Symbol(Symbol::Local(k)) => {
-            let definition = graph.definition(k);
-            total_of(graph, definition, by, known)
-        }
-        Node::Symbol(_) => graph.whole(0),
-        _ => {
-            let partials = of_operation(graph, id).into_iter();
-            let terms = partials.map(|(operand, partial)| {
-                let inner = total_of(graph, operand, by, known);
-                (Number::ONE, graph.mul(partial, inner))
-            });
-            let terms = terms.collect();
-            graph.sum(terms, Number::ZERO)
-        }
+/// Derivative of an expression in the direction in which some symbols change, each at its rate.
+pub(crate) fn along(graph: &mut ExprGraph, id: NodeId, moving: &[(Symbol, NodeId)]) -> NodeId {
+    let mut sweep = Sweep {
+        moving,
+        known: FastMap::default(),
+        leaves: FastMap::default(),
     };
-    known.insert(id, derivative);
-    derivative
+    sweep.derivative(graph, id)
+}
+
+/// Maximum number of places of leaves in a sum of products that is differentiated as a whole. Where sums share parts, the
+/// number doubles with each level.
+const MAX_LEAVES: u64 = 4096;
+
+/// One forward sweep.
+struct Sweep<'m> {
+    moving: &'m [(Symbol, NodeId)],
+    known: FastMap<NodeId, NodeId>,
+    leaves: FastMap<NodeId, u64>,
+}
+
+impl Sweep<'_> {
+    fn derivative(&mut self, graph: &mut ExprGraph, id: NodeId) -> NodeId {
+        if let Some(&derivative) = self.known.get(&id) {
+            return derivative;
+        }
+        let derivative = match *graph.node(id) {
+            Node::Number(_) => graph.whole(0),
+            Node::Symbol(symbol) => {
+                match (self.moving.iter().find(|own| own.0 == symbol), symbol) {
+                    (Some(&(_, rate)), _) => rate,
+                    (None, Symbol::Local(k)) => {
+                        let definition = graph.definition(k);
+                        self.derivative(graph, definition)
+                    }
+                    (None, _) => graph.whole(0),
+                }
+            }
+            _ => {
+                let partials = match self.count_leaves(graph, id) <= MAX_LEAVES {
+                    true => of_operation(graph, id),
+                    false => of_operands(graph, id),
+                };
+                let terms = partials.into_iter().map(|(operand, partial)| {
+                    let inner = self.derivative(graph, operand);
+                    (Number::ONE, graph.mul(partial, inner))
+                });
+                let terms = terms.collect();
+                graph.sum(terms, Number::ZERO)
+            }
+        };
+        self.known.insert(id, derivative);
+        derivative
+    }
+
+    /// Number of places of leaves in a sum of products, at most `u64::MAX`.
+    fn count_leaves(&mut self, graph: &ExprGraph, id: NodeId) -> u64 {
+        if let Some(&count) = self.leaves.get(&id) {
+            return count;
+        }
+        let inner: Vec<NodeId> = match graph.node(id) {
+            Node::Sum(terms, _) => terms.iter().map(|own| own.1).collect(),
+            Node::Product(factors) => factors.iter().map(|own| own.0).collect(),
+            _ => return 1,
+        };
+        let count = inner.into_iter().fold(0_u64, |sum, part| {
+            sum.saturating_add(self.count_leaves(graph, part))
+        });
+        self.leaves.insert(id, count);
+        count
+    }
+}
+
+/// Terms of a sum or factors of a product, each with the partial derivative with respect to it.
+fn of_operands(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
+    match graph.node(id).clone() {
+        Node::Sum(terms, _) => { terms.into_iter() }
+            .map(|(factor, term)| (term, graph.number(factor)))
+            .collect(),
+        Node::Product(factors) => (0..factors.len())
+            .map(|k| {
+                let (base, exponent) = factors[k];
+                let mut others = factors.to_vec();
+                others[k].1 = exponent - 2;
+                let rest = graph.product(others);
+                let by_base = graph.number(Number::fraction(exponent.into(), 2));
+                (base, graph.mul(by_base, rest))
+            })
+            .collect(),
+        _ => of_node(graph, id),
+    }
 }
 
 /// Partial derivatives of any operation with respect to its operands, those of nested sums and products included.
@@ -176,5 +239,38 @@ pub(crate) fn of_operation(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, No
     match graph.node(id) {
         Node::Sum(..) | Node::Product(_) => of_expression(graph, id),
         _ => of_node(graph, id),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::tape_model::{At, Scratch};
+    use crate::{TapeModel, compile};
+    use model_spec::load::from_text;
+
+    /// Each level has the one below twice, so that the terms of the last one, written out, are 2⁴⁰.
+    #[test]
+    fn sums_that_share_parts_are_differentiated_in_one_sweep() {
+        let levels = 40;
+        let level = |k: i32| format!("let b_{k} = c*b_{} + d*(b_{} + 1);\n", k - 1, k - 1);
+        let text = format!(
+            "model probe; frame N; param c = 0.25; param d = 0.5; state x = 2; state v = 0;
+             let b_0 = x;\n{}der(x) = 3 [/s]; der(v) = der(b_{levels});",
+            (1..=levels).map(level).collect::<String>()
+        );
+        let model = from_text("probe.hyz", &text, &[]).unwrap_or_else(|error| panic!("{error}"));
+        let tape = TapeModel::new(&compile(&model));
+        let parameters = [0.25, 0.5];
+        let at = At {
+            t: 0.0,
+            x: &[2.0, 0.0],
+            p: &parameters,
+            prepared: &tape.prepare(&parameters),
+        };
+        let mut rates = [0.0; 2];
+        tape.f
+            .eval(at, &[], &mut Scratch::default(), &mut [&mut rates]);
+        let expected = 3.0 * 0.75_f64.powi(levels);
+        assert!((rates[1] / expected - 1.0).abs() < 1e-12, "{rates:?}");
     }
 }

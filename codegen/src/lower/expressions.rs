@@ -179,14 +179,7 @@ impl Lowering<'_> {
             None => one,
         };
         moving.push((Symbol::Time, seconds));
-        let changed = value.map(|component| {
-            let terms = moving.iter().map(|&(symbol, rate)| {
-                let by_symbol = partials::total(&mut self.graph, component, symbol);
-                (Number::ONE, self.graph.distribute(by_symbol, rate))
-            });
-            let terms = terms.collect();
-            self.graph.sum(terms, Number::ZERO)
-        });
+        let changed = value.map(|component| partials::along(&mut self.graph, component, &moving));
         match (changed, of.shape) {
             (Value::Vector(vector), Shape::Vector(to)) => Value::Vector(frames::reexpress(
                 &mut self.graph,

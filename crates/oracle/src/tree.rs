@@ -78,11 +78,26 @@ impl<'a, T: Real> Tree<'a, T> {
         }
     }
 
-    /// Evaluates a model at a point, but for what depends on unknowns of its systems, which are not solved for.
-    pub fn without_unknowns(model: &'a Model, point: &'a Point<T>) -> Self {
+    /// Evaluates at a point what some expressions of a model depend on. Unknowns of its systems, which are not solved for,
+    /// are zero.
+    pub fn without_unknowns(model: &'a Model, point: &'a Point<T>, of: &[&Expr]) -> Self {
         let systems = model.systems.iter();
         let zeros = systems.map(|own| vec![T::zero(); own.unknowns.len()]);
-        Self::evaluated(model, point, &[], zeros.collect())
+        let mut tree = Self::unevaluated(model, point, zeros.collect(), 0);
+        tree.evaluate_for(of);
+        tree
+    }
+
+    /// Evaluates the auxiliary variables on which expressions depend; all others are zero.
+    fn evaluate_for(&mut self, of: &[&Expr]) {
+        let model = self.model;
+        for (named, is_needed) in model.aux_variables.iter().zip(needed(model, of)) {
+            let value = match is_needed {
+                true => self.value(&named.value),
+                false => Value::Scalar(T::zero()),
+            };
+            self.aux_variables.push(value);
+        }
     }
 
     /// Evaluates a model at a point for unknowns of its systems; they need not fulfil their equations.
@@ -145,14 +160,7 @@ impl<'a, T: Real> Tree<'a, T> {
         let unknowns = self.unknowns.iter();
         let unknowns = unknowns.map(|own| own.iter().map(|value| value.jet()).collect());
         let mut tree = Tree::unevaluated(self.model, &point, unknowns.collect(), self.level + 1);
-        let needed = needed(self.model, of);
-        for (named, is_needed) in self.model.aux_variables.iter().zip(needed) {
-            let value = match is_needed {
-                true => tree.value(&named.value),
-                false => Value::Scalar(T::Jet::integer(0)),
-            };
-            tree.aux_variables.push(value);
-        }
+        tree.evaluate_for(&[of]);
         let part = |value: T::Jet| T::of_jet(value.coefficient(self.level));
         tree.value(of).map(part)
     }
@@ -348,10 +356,10 @@ pub fn norm<T: Real>(v: &Vector3<T>) -> T {
     v.dot(v).sqrt()
 }
 
-/// For each auxiliary variable, whether an expression depends on it.
-fn needed(model: &Model, of: &Expr) -> Vec<bool> {
+/// For each auxiliary variable, whether one of the expressions depends on it.
+fn needed(model: &Model, of: &[&Expr]) -> Vec<bool> {
     let mut needed = vec![false; model.aux_variables.len()];
-    let mut open = vec![of];
+    let mut open = of.to_vec();
     while let Some(e) = open.pop() {
         e.walk(&mut |part| {
             if let ExprKind::AuxVariable(index) = part.kind

@@ -58,7 +58,7 @@ fn linearized(
     for state in 0..point.states.len() {
         let mut moving = point.map(Dual::constant);
         moving.states[state].derivative = 1.0;
-        let tree = Tree::without_unknowns(model, &moving);
+        let tree = Tree::without_unknowns(model, &moving, constraints);
         for (row, constraint) in constraints.iter().enumerate() {
             let value = tree.scalar(constraint);
             deviations[row] = value.value;

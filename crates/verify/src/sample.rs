@@ -29,9 +29,10 @@ pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     } else {
         FEW_DRAWS
     };
+    let margins = Margins::of(model);
     let mut point = anywhere(model, random);
     for _ in 0..draws {
-        if within_limits(model, &point) {
+        if margins.hold(&point) {
             return point;
         }
         point = anywhere(model, random);
@@ -50,16 +51,23 @@ pub fn moved_within_limits(
     point: &Point<f64>,
     random: &mut Random,
 ) -> Option<Point<f64>> {
+    let margins = Margins::of(model);
     let mut found = [1.0, 0.0]
         .into_iter()
-        .filter_map(|part| moved(model, point, part, random));
+        .filter_map(|part| moved(&margins, point, part, random));
     found.find(|point| is_valid(model, point))
 }
 
 /// See [`moved_within_limits`]; of each margin, `part` counts.
-fn moved(model: &Model, point: &Point<f64>, part: f64, random: &mut Random) -> Option<Point<f64>> {
+fn moved(
+    margins: &Margins<'_>,
+    point: &Point<f64>,
+    part: f64,
+    random: &mut Random,
+) -> Option<Point<f64>> {
+    let model = margins.model;
     let mut best = point.clone();
-    let mut outside = shortfall(model, &best, part);
+    let mut outside = margins.shortfall(&best, part);
     let mut vain = 0;
     for _ in 0..MAX_MOVES {
         if outside == 0.0 || best.states.is_empty() || vain == MAX_VAIN {
@@ -71,7 +79,7 @@ fn moved(model: &Model, point: &Point<f64>, part: f64, random: &mut Random) -> O
         let size = typical(model.states[state].unit) * 10f64.powf(random.between(-3.0, 4.0));
         next.states[state] += random.within(size);
         normalize(model, &mut next);
-        let next_outside = shortfall(model, &next, part);
+        let next_outside = margins.shortfall(&next, part);
         if next_outside < outside {
             (best, outside, vain) = (next, next_outside, 0);
         }
@@ -83,26 +91,12 @@ fn moved(model: &Model, point: &Point<f64>, part: f64, random: &mut Random) -> O
     for _ in 0..HALVINGS {
         let mut halfway = between(point, &best, 0.5);
         normalize(model, &mut halfway);
-        if shortfall(model, &halfway, part) > 0.0 {
+        if margins.shortfall(&halfway, part) > 0.0 {
             break;
         }
         best = halfway;
     }
     Some(best)
-}
-
-/// Sum over the validity limits of the relative distance outside; of the margin of [`within_limits`], `part` counts.
-fn shortfall(model: &Model, point: &Point<f64>, part: f64) -> f64 {
-    let margins = margins(model, point).into_iter();
-    let outside = margins.map(|(limit, value, margin)| {
-        let distance = (limit.bound + part * margin - value) / limit.bound.abs().max(1.0);
-        if distance.is_nan() {
-            f64::INFINITY
-        } else {
-            distance.max(0.0)
-        }
-    });
-    outside.sum()
 }
 
 /// Draws points as [`point`] does.
@@ -136,28 +130,57 @@ pub fn is_valid(model: &Model, point: &Point<f64>) -> bool {
 /// Whether a point is inside each validity limit by more than 10 % of max(|bound|, 1), or of the distance of the default
 /// point from the bound where that is smaller.
 pub fn within_limits(model: &Model, point: &Point<f64>) -> bool {
-    let mut margins = margins(model, point).into_iter();
-    margins.all(|(limit, value, margin)| value > limit.bound + margin)
+    Margins::of(model).hold(point)
 }
 
-/// Each validity limit with its value at a point, and the distance from the bound that [`within_limits`] requires.
-fn margins<'a>(model: &'a Model, point: &Point<f64>) -> Vec<(&'a ValidityLimit, f64, f64)> {
-    if model.limits.is_empty() {
-        return Vec::new();
+/// Validity limits of a model, each with the distance from the bound that [`within_limits`] requires.
+struct Margins<'a> {
+    model: &'a Model,
+    limits: Vec<(&'a ValidityLimit, f64)>,
+}
+
+impl<'a> Margins<'a> {
+    fn of(model: &'a Model) -> Self {
+        let mut limits = Vec::new();
+        if !model.limits.is_empty() {
+            let defaults = Point::defaults(model);
+            let tree = Tree::new(model, &defaults);
+            limits.extend(model.limits_of_validity().map(|limit| {
+                let usual = 0.1 * limit.bound.abs().max(1.0);
+                let room = tree.scalar(&limit.value) - limit.bound;
+                let is_near = room > 0.0 && room <= usual;
+                (limit, if is_near { 0.1 * room } else { usual })
+            }));
+        }
+        Self { model, limits }
     }
-    let defaults = Point::defaults(model);
-    let (tree, at_default) = (Tree::new(model, point), Tree::new(model, &defaults));
-    let margin = |limit: &'a ValidityLimit| {
-        let usual = 0.1 * limit.bound.abs().max(1.0);
-        let room = at_default.scalar(&limit.value) - limit.bound;
-        let margin = if room > 0.0 && room <= usual {
-            0.1 * room
-        } else {
-            usual
-        };
-        (limit, tree.scalar(&limit.value), margin)
-    };
-    model.limits_of_validity().map(margin).collect()
+
+    fn hold(&self, point: &Point<f64>) -> bool {
+        if self.limits.is_empty() {
+            return true;
+        }
+        let tree = Tree::new(self.model, point);
+        let mut limits = self.limits.iter();
+        limits.all(|(limit, margin)| tree.scalar(&limit.value) > limit.bound + margin)
+    }
+
+    /// Sum over the limits of the relative distance outside at a point; of each margin, `part` counts.
+    fn shortfall(&self, point: &Point<f64>, part: f64) -> f64 {
+        if self.limits.is_empty() {
+            return 0.0;
+        }
+        let tree = Tree::new(self.model, point);
+        let outside = self.limits.iter().map(|(limit, margin)| {
+            let bound = limit.bound + part * margin;
+            let distance = (bound - tree.scalar(&limit.value)) / limit.bound.abs().max(1.0);
+            if distance.is_nan() {
+                f64::INFINITY
+            } else {
+                distance.max(0.0)
+            }
+        });
+        outside.sum()
+    }
 }
 
 /// Draws a point without regard to the validity limits; the constraints of the model hold.

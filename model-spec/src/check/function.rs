@@ -164,11 +164,8 @@ impl<'a> Checker<'a> {
         span: Span,
     ) -> Option<Typed> {
         let typed = self.elaborate(of)?;
-        // Of a result, the definition of the function has been checked.
-        let (shape, term) = match &ascription.parameter {
-            Some(_) => self.must_have_type(&typed, ascription)?,
-            None => self.type_of(&ascription.of)?,
-        };
+        // Of a result too, though the function has been checked: a copy may have been changed in the tree.
+        let (shape, term) = self.must_have_type(&typed, ascription)?;
         let mut expr = typed.expr;
         (expr.span, expr.shape) = (span, shape);
         let unit = UnitOf::Term(term);

@@ -15,12 +15,18 @@ struct Size {
     terms: u64,
     /// Number of factors in each component after nested products are merged; a power counts as repeated factors.
     factors: u64,
+    /// Number of operations that compute it, those of the quantities that it is made of included.
+    operations: u64,
 }
 
 const ATOM: Size = Size {
     terms: 1,
     factors: 1,
+    operations: 0,
 };
+
+/// Operations of the derivative of a product of two factors.
+const OF_PRODUCT: u64 = 3;
 
 /// Sizes of the auxiliary variables and number of operations of the model, accumulated so far.
 struct Sizes {
@@ -100,7 +106,7 @@ impl Sizes {
             sizes.push(size);
         });
         let [a, b, c] = [0, 1, 2].map(|k| sizes.get(k).copied().unwrap_or(ATOM));
-        let (operations, size) = match &e.kind {
+        let (own, size) = match &e.kind {
             K::Number { .. } => (0, Size { factors: 0, ..ATOM }),
             K::Axis(..) => {
                 let factors = self.frames;
@@ -112,46 +118,102 @@ impl Sizes {
                 // A common factor of all terms may become a factor of the sum.
                 let factors = a.factors.max(b.factors);
                 let terms = a.terms.saturating_add(b.terms);
-                (each, Size { terms, factors })
+                (
+                    each,
+                    Size {
+                        terms,
+                        factors,
+                        ..ATOM
+                    },
+                )
             }
             K::Mul(..) | K::Div(..) | K::Ratio(_) => (each, product(a, b)),
             K::Dot(..) | K::Cross(..) => {
                 let operations = if each == 1 { 5 } else { 9 };
                 let factors = product(a, b).factors;
-                (operations, Size { terms: 3, factors })
+                (
+                    operations,
+                    Size {
+                        terms: 3,
+                        factors,
+                        ..ATOM
+                    },
+                )
             }
             K::Pow(_, doubled) => {
                 let times = u64::from(doubled.unsigned_abs()).div_ceil(2).max(1);
                 let factors = a.factors.max(1).saturating_mul(times);
-                (each, Size { terms: 1, factors })
+                (each, Size { factors, ..ATOM })
             }
-            // Each factor of each term is differentiated by each state.
+            // Each operation is differentiated once; a product has a term for each factor.
             K::Rate(..) | K::Partial(..) => {
-                let terms = a.terms.saturating_mul(a.factors.max(1));
-                let by = sizes.len().max(2) as u64 - 1;
                 let factors = { sizes.iter().skip(1) }.fold(a.factors, |most, rate| {
                     most.max(a.factors.saturating_add(rate.factors))
                 });
-                let terms = terms.saturating_mul(by);
-                (terms.saturating_mul(each), Size { terms, factors })
+                let terms = a.terms.saturating_mul(a.factors.max(1));
+                let of_each = a.factors.max(OF_PRODUCT);
+                let own = a.operations.max(1).saturating_mul(of_each);
+                (
+                    own,
+                    Size {
+                        terms,
+                        factors,
+                        ..ATOM
+                    },
+                )
+            }
+            // By the laws of motion: a sum of loads over an inertia, in another frame.
+            K::BodyRate(..) => {
+                let factors = { sizes.iter() }.fold(self.frames, |most, load| {
+                    most.max(load.factors.saturating_add(self.frames))
+                });
+                let own = self.frames.saturating_mul(4).saturating_add(9);
+                (
+                    own,
+                    Size {
+                        terms: 3,
+                        factors,
+                        ..ATOM
+                    },
+                )
             }
             K::Norm(_) => (6, Size { terms: 1, ..a }),
             K::Direction(..) => (9, product(a, a)),
             K::Reexpress(_) => {
                 let factors = a.factors.saturating_add(self.frames);
-                (self.frames.saturating_mul(4), Size { terms: 3, factors })
+                (
+                    self.frames.saturating_mul(4),
+                    Size {
+                        terms: 3,
+                        factors,
+                        ..ATOM
+                    },
+                )
             }
             K::Call(Function::Abs | Function::Sqrt, _) => (1, Size { terms: 1, ..a }),
             K::Components(_) => {
                 let terms = a.terms.max(b.terms).max(c.terms).max(1);
                 let factors = a.factors.max(b.factors).max(c.factors).max(1);
-                (0, Size { terms, factors })
+                (
+                    0,
+                    Size {
+                        terms,
+                        factors,
+                        ..ATOM
+                    },
+                )
             }
             K::Atan2(..) | K::Min(..) | K::Max(..) | K::Call(..) | K::Lookup(..) => (1, ATOM),
             _ => (0, ATOM),
         };
-        self.count(operations);
-        size
+        self.count(own);
+        let operations = match e.kind {
+            K::AuxVariable(_) => size.operations,
+            _ => { sizes.iter() }.fold(own, |sum, part| sum.saturating_add(part.operations)),
+        };
+        // What is used twice is computed once.
+        let operations = operations.min(self.operations);
+        Size { operations, ..size }
     }
 
     fn count(&mut self, operations: u64) {
@@ -163,6 +225,7 @@ fn product(a: Size, b: Size) -> Size {
     Size {
         terms: 1,
         factors: a.factors.saturating_add(b.factors),
+        operations: 0,
     }
 }
 

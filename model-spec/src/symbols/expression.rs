@@ -12,8 +12,8 @@ use crate::unit::symbol;
 /// Tokens of a unit or type, beyond which its end is not searched.
 const MAX_UNIT_TOKENS: usize = 40;
 
-/// Words inside statements.
-pub(super) const INNER: [&str; 16] = [
+/// Words that stand inside statements.
+pub const INNER: [&str; 16] = [
     "in",
     "turned",
     "about",

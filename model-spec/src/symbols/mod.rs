@@ -9,6 +9,9 @@ mod tests;
 
 use std::ops::Range;
 
+pub use crate::syntax::reserved::BodyQuantity;
+pub use expression::INNER;
+
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]

@@ -298,6 +298,7 @@ impl<'a> Scanner<'a> {
                 self.states(at + 1..defaults.unwrap_or(end));
                 self.expression(defaults.unwrap_or(end)..end, true);
             }
+            "inertia" => self.inertia(at + 1, end),
             "replace" => self.replace(at + 1, end),
             "needs" => self.needs(at + 1..end),
             "reference" | "site" | "variables" | "generalises" => self.labels(at + 1..end),
@@ -419,12 +420,23 @@ impl<'a> Scanner<'a> {
                 self.word(at + 1, Found::Name(namespace));
                 self.expression(at + 2..end, false);
             }
-            "inertia" | "clock" | "observe" => {
+            "inertia" => {
+                self.keyword(at);
+                self.inertia(at + 1, end);
+            }
+            "clock" | "observe" => {
                 self.keyword(at);
                 self.expression(at + 1..end, false);
             }
             _ => self.expression(at..end, false),
         }
+    }
+
+    /// Moments of inertia, with their unit behind the last bracket.
+    fn inertia(&mut self, at: usize, end: usize) {
+        let close = (at..end).rfind(|&at| self.text(at) == ")").unwrap_or(end);
+        self.expression(at..close, false);
+        self.expression(close..end, true);
     }
 
     fn needs(&mut self, tokens: Range<usize>) {

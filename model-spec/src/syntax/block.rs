@@ -1,8 +1,8 @@
 //! Parser for statements with a block, except effects.
 
 use super::ast::{
-    Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Continuation, Expr, Inertia,
-    InitialValues, Interpolation, ItemKind, Name, Quantity, Table,
+    Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Continuation, Expr, ExprKind,
+    Inertia, InitialValues, Interpolation, ItemKind, Name, Quantity, Table, UnitExpr,
 };
 use super::parser::{Parser, Read};
 use super::token::Token;
@@ -112,9 +112,10 @@ impl Parser<'_> {
         self.tuple(open, "name", "names", |p| p.name("the name of a state"))
     }
 
-    /// Parses an inertia tensor: `diag(a, b, c) in FRAME` or `((a, b, c), (d, e, f), (g, h, i)) in FRAME`.
+    /// Parses an inertia tensor: `diag(a, b, c) in FRAME` or `((a, b, c), (d, e, f), (g, h, i)) in FRAME`, with a unit before
+    /// `in` if all entries are numbers.
     pub fn inertia(&mut self) -> Read<Inertia> {
-        let rows = if self.eat_word("diag") {
+        let mut rows = if self.eat_word("diag") {
             let [a, b, c] = self.triple()?;
             [
                 [Some(a), None, None],
@@ -127,8 +128,32 @@ impl Parser<'_> {
         } else {
             return self.expected("`diag(a, b, c)` or three rows `((…), (…), (…))`");
         };
+        if let Some(unit) = self.optional_unit()? {
+            for entry in rows.iter_mut().flatten().flatten() {
+                self.give_unit(entry, &unit)?;
+            }
+        }
         let frame = self.in_frame("the moments of inertia")?;
         Ok(Inertia { rows, frame })
+    }
+
+    /// Gives a number the unit that stands behind the brackets in which it is.
+    fn give_unit(&mut self, e: &mut Expr, unit: &UnitExpr) -> Read<()> {
+        match &mut e.kind {
+            ExprKind::Number(own) if own.unit.is_none() => {
+                own.unit = Some(unit.clone());
+                Ok(())
+            }
+            ExprKind::Neg(of) => self.give_unit(of, unit),
+            _ => {
+                let message =
+                    format!("`{e}` is no plain number, but `{unit}` stands behind all entries");
+                let fault = Diagnostic::new(Kind::Grammar, e.span, message);
+                self.refuse(
+                    fault.help("state the unit of each number by itself, as in `2 [kg*m^2]`"),
+                )
+            }
+        }
     }
 
     fn triple(&mut self) -> Read<[Expr; 3]> {

@@ -3,13 +3,24 @@
 use std::fmt::{self, Display, Formatter, Result, Write};
 
 use super::ast::*;
+use super::of_kind;
 
 impl Display for File {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         lines(f, "//!", &self.doc, "")?;
         let mut before: Option<&ItemKind> = None;
         let mut at = 0;
+        let changed = self.changed_bodies();
         while let Some(own) = self.items.get(at) {
+            // Of a changed body, the statements that it stands for are written instead.
+            if own
+                .kind
+                .of_body()
+                .is_some_and(|body| changed.contains(&body))
+            {
+                at += 1;
+                continue;
+            }
             let (item, count) = written(own, &self.items[at..]);
             at += count;
             // Empty lines around blocks and between different kinds of statement.
@@ -31,6 +42,31 @@ impl Display for File {
             before = Some(&item.kind);
         }
         Ok(())
+    }
+}
+
+impl File {
+    /// Names of the further bodies of whose statements one has been changed.
+    fn changed_bodies(&self) -> Vec<&str> {
+        let items = self.items.iter().enumerate();
+        let is_changed = |(at, item): (usize, &'_ Item)| written(item, &self.items[at..]).1 == 1;
+        let bodies = items.filter(|(_, item)| item.expanded.is_some());
+        let bodies = bodies.filter(|own| is_changed(*own));
+        of_kind!(bodies.map(|(_, item)| item), ItemKind::Body)
+            .map(|body| body.name.text.as_str())
+            .collect()
+    }
+}
+
+impl ItemKind {
+    /// Name of the body that the statement declares or acts on.
+    fn of_body(&self) -> Option<&str> {
+        let name = match self {
+            ItemKind::Body(body) => Some(&body.name),
+            ItemKind::Load(load) => load.on.as_ref(),
+            _ => None,
+        };
+        name.map(|name| name.text.as_str())
     }
 }
 
@@ -130,7 +166,12 @@ fn write_kind(f: &mut Formatter<'_>, kind: &ItemKind, of: &Elements) -> Result {
         ItemKind::Table(table) => write!(f, "{table}"),
         ItemKind::Include(file) => write!(f, "include \"{}\";", file.text),
         ItemKind::Let(l) => {
-            f.write_str(if l.is_constant { "param " } else { "let " })?;
+            // `param` before a number declares a parameter of the model.
+            let is_number = matches!(l.value.kind, ExprKind::Number(_));
+            f.write_str(match l.is_constant && !is_number {
+                true => "param ",
+                false => "let ",
+            })?;
             write_let(f, l, of)
         }
         ItemKind::Load(l) => {

@@ -3,6 +3,7 @@
 use model_spec::load::from_text;
 use model_spec::model::{ConstantAngle, FrameKind, Model};
 use model_spec::syntax;
+use model_spec::syntax::ast::{ExprKind, ItemKind};
 use model_spec::unit::Unit;
 
 const BODY: &str = "model probe; frame N; param m = 0.5 kg;
@@ -131,4 +132,34 @@ fn comments_stand_anywhere_in_an_effect() {
           // at the end
         }";
     from_text("probe.hyz", &text, &["push"]).unwrap_or_else(|e| panic!("{e}"));
+}
+
+/// Whoever changes the copy of a function that a call has become is told, as whoever changes the function is.
+#[test]
+fn the_result_of_a_copied_function_has_its_type() {
+    let text = "model probe; param k = 2 kg/s; frame N;
+        point probe { mass 1 kg; position (x, y, z) in N; velocity (u, v, w) in N; }
+        function drag(v: vector m/s in N): vector N in N { return k*v; }
+        force drag = drag(velocity);";
+    let mut file = syntax::parse("probe.hyz", text).file;
+    assert!(model_spec::check(&file, &[]).model.is_some());
+    let mut values = file
+        .items
+        .iter_mut()
+        .filter_map(|item| match &mut item.kind {
+            ItemKind::Load(load) => Some(&mut load.value),
+            _ => None,
+        });
+    let value = values.next().expect("the force");
+    let ExprKind::Ascribed(result, _) = &mut value.kind else {
+        panic!("{value}")
+    };
+    let ExprKind::Binary(_, factor, _) = &result.kind else {
+        panic!("{result}")
+    };
+    **result = (**factor).clone();
+    let found = model_spec::check(&file, &[]).diagnostics;
+    assert_eq!(found.len(), 1, "{found:?}");
+    let message = "the result of `drag` must be a vector";
+    assert!(found[0].message.starts_with(message), "{found:?}");
 }

@@ -121,6 +121,23 @@ fn what_is_differentiated_depends_on_what_has_a_derivative() {
     assert_eq!(circular, "`der(v)` is defined by itself");
 }
 
+#[test]
+fn derivatives_of_long_products_count_each_of_their_terms() {
+    let with = |factors: usize| {
+        let states: String = (0..factors)
+            .map(|k| format!("state s{k} = 1; der(s{k}) = 1 [/s]; "))
+            .collect();
+        let names: Vec<String> = (0..factors).map(|k| format!("s{k}")).collect();
+        let product = names.join("*");
+        let rest =
+            format!("{states} let a = {product}; let b = der(der(a)); der(v) = 0; der(w) = 0;");
+        from_text("probe.hyz", &format!("{HEAD}{rest}"), &[])
+    };
+    assert!(with(12).is_ok());
+    let message = with(40).expect_err("too long").to_string();
+    assert!(message.contains("at most 20000 are possible"), "{message}");
+}
+
 const BODY: &str = "model probe; param m = 0.5 kg; param L = 2 m; param I = 1e-3 kg*m^2; frame N;
     frame C = N by quaternion (q0, q1, q2, q3);
     body probe { mass m; inertia diag(I, I, I) in C; fixed in C; position (x, y, z) in N;
@@ -133,6 +150,12 @@ fn constraints_hold_a_declared_body() {
     let rod = "force rod = -T*unit(position); solve rod { unknown T: N; constraint norm(position) = L within 1 mm; }";
     let model = read(rod).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(model.systems[0].constraints.len(), 2);
+    // Three hold a point of it.
+    let tip = "let tip = position - L*in_N(C.3); force tip = R; moment tip = (-L*C.3) × in_C(R);
+        solve tip { unknown R: vector N in N;
+          constraint tip.1 = 0 within 1 mm; constraint tip.2 = 0 within 1 mm; constraint tip.3 = 0 within 1 mm; }";
+    let model = read(tip).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(model.systems[0].constraints.len(), 6);
     // Of velocities: once differentiated. The rim of a wheel does not slip.
     let wheel = "force grip = F*N.1; moment grip = in_C(-(0.1 [m])*N.3) × in_C(F*N.1);
         solve wheel { unknown F: N; constraint in_N(velocity).1 = 0.1 [m]*in_N(angular_velocity).2 within 1 mm/s; }";

@@ -7,13 +7,48 @@ use model_spec::load::from_text;
 use model_spec::model::Model;
 use model_spec::syntax;
 use ode::IntegrationOptions;
+use std::collections::BTreeMap;
 
 const HEAD: &str = "model probe;
 param m = 0.3 kg;
 param J = 1 kg*m^2;
 frame N;
-frame P = N by quaternion (e0, e1, e2, e3);
 ";
+
+/// Frames, the plate's angular velocity, and states at the start, of an attitude.
+type Attitude = (&'static str, &'static str, &'static [(&'static str, f64)]);
+
+const ANGLES: &[(&str, f64)] = &[
+    ("phi", 0.3),
+    ("theta", 0.7),
+    ("psi", -0.2),
+    ("phidot", 2.0),
+    ("thetadot", -0.3),
+    ("psidot", 4.0),
+];
+
+const ATTITUDES: [Attitude; 4] = [
+    (
+        "frame P = N by quaternion (e0, e1, e2, e3);",
+        "angular velocity (p, q, r) in P = (1, 20, 3) rad/s;",
+        &[],
+    ),
+    (
+        "frame A = N turned phi about 1; frame B = A turned theta about 2; frame P = B turned psi about 3;",
+        "",
+        ANGLES,
+    ),
+    (
+        "frame A = N turned phi about 3; frame B = A turned theta about 1; frame P = B turned psi about 3;",
+        "",
+        ANGLES,
+    ),
+    (
+        "frame A = N turned phi about 1; frame B = A turned theta about 3; frame P = B turned psi about 2;",
+        "",
+        ANGLES,
+    ),
+];
 
 /// A plate, alone: its velocity is in `{V}`, its moments of inertia are `{I}`.
 const PLATE: &str = "body plate {
@@ -22,7 +57,7 @@ const PLATE: &str = "body plate {
   fixed in P;
   position (x, y, z) in N = (0, 0, 2) m;
   velocity (u, v, w) in {V} = (5, 1, 2) m/s;
-  angular velocity (p, q, r) in P = (1, 20, 3) rad/s;
+  {W}
 }
 ";
 
@@ -50,38 +85,46 @@ fn read(text: &str) -> Model {
     from_text("probe.hyz", text, &[]).unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
-/// Values of the plate's states after a second.
-fn flown(model: &Model) -> Vec<f64> {
+/// Values of states after a second, by name; `start` has those at the release that are not the defaults.
+fn flown(model: &Model, start: &[(&str, f64)]) -> BTreeMap<String, f64> {
     let body = CompiledModel::new(model);
+    let release = start.iter().fold(Release::of(model), |release, own| {
+        release.with_initial(own.0, own.1)
+    });
     let release = Release {
         stop: Stop::Duration(1.0),
-        ..Release::of(model)
+        ..release
     };
     let options = IntegrationOptions::with_tolerance(1e-12);
     let flight = simulate(&body, &release, &options).unwrap_or_else(|error| panic!("{error}"));
-    let names = [
-        "x", "y", "z", "u", "v", "w", "e0", "e1", "e2", "e3", "p", "q", "r",
-    ];
-    let value = |name| flight.end_state[body.layout().state(name).expect(name).index()];
-    names.map(value).to_vec()
+    let names = body.layout().states.iter().cloned();
+    names.zip(flight.end_state).collect()
 }
 
 #[test]
 fn a_second_body_flies_as_it_does_alone() {
     let full = "((2e-3*J, 3e-4*J, -1e-4*J), (3e-4*J, 4e-3*J, 2e-4*J), (-1e-4*J, 2e-4*J, 5e-3*J))";
-    for inertia in ["diag(2e-3*J, 4e-3*J, 5e-3*J)", full] {
-        for frame in ["N", "P"] {
+    let inertias = ["diag(2e-3*J, 4e-3*J, 5e-3*J)", full];
+    for (frames, angular, start) in ATTITUDES {
+        let head = format!("{HEAD}{frames}\n");
+        for (inertia, frame) in inertias
+            .into_iter()
+            .flat_map(|own| [(own, "N"), (own, "P")])
+        {
             let plate = PLATE.replace("{I}", inertia).replace("{V}", frame);
-            let alone = flown(&read(&format!("{HEAD}{plate}{}", loads("", ""))));
+            let plate = plate.replace("{W}", angular);
+            let alone = read(&format!("{head}{plate}{}", loads("", "")));
             let second = read(&format!(
-                "{HEAD}{STONE}{plate}{}",
+                "{head}{STONE}{plate}{}",
                 loads(" on plate", "_of_plate")
             ));
-            assert_eq!(second.states.len(), 19);
-            for (own, expected) in flown(&second).into_iter().zip(alone) {
+            assert_eq!(second.states.len(), alone.states.len() + 6);
+            let found = flown(&second, start);
+            for (name, expected) in flown(&alone, start) {
+                let difference = (found[&name] - expected).abs();
                 assert!(
-                    (own - expected).abs() < 1e-9,
-                    "{inertia} {frame}: {own} {expected}"
+                    difference < 1e-9,
+                    "{frames} {inertia} {frame}: {name} {difference}"
                 );
             }
         }

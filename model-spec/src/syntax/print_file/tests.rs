@@ -1,6 +1,8 @@
 //! What is printed reads the same.
 
+use crate::check;
 use crate::load::{BODIES, EFFECTS, MODELS, REFUTED};
+use crate::syntax::ast::{BinaryOp, ExprKind, File};
 use crate::syntax::parse;
 
 #[test]
@@ -109,5 +111,52 @@ effect general {
         "claim point p {\n  mass k;\n}",
     ] {
         assert!(once.contains(part), "{part} in\n{once}");
+    }
+}
+
+#[test]
+fn what_a_body_stands_for_is_written_where_it_was_changed() {
+    let text = "\
+model two;
+frame N;
+frame C = N by quaternion (e0, e1, e2, e3);
+point a { mass 1 kg; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+body b {
+  mass 2 kg;
+  inertia diag(1 [kg*m^2], 2 [kg*m^2], 3 [kg*m^2]) in C;
+  fixed in C;
+  position (x_b, y_b, z_b) in N = (1, 2, 3) m;
+  velocity (u, v, w) in C;
+  angular velocity (p, q, r) in C;
+}
+force pull = -1 [N/m]*(position - position_of_b);
+force pull on b = 1 [N/m]*(position - position_of_b);
+moment turn on b = 1 [N*m]*C.1;
+";
+    let states = |file: &File| {
+        let model = check(file, &[]).model.expect("a model");
+        let states = model.states.into_iter();
+        states.map(|own| (own.name, own.value)).collect::<Vec<_>>()
+    };
+    let parsed = parse("two", text);
+    assert!(parsed.diagnostics.is_empty(), "{:?}", parsed.diagnostics);
+    let file = parsed.file;
+    let changeable = |at: &usize| {
+        let item = &file.items[*at];
+        item.is_of_body() && item.kind.value().is_some()
+    };
+    let places: Vec<usize> = (0..file.items.len()).filter(changeable).collect();
+    assert!(places.len() > 20);
+    for at in places {
+        let mut changed = file.clone();
+        let value = changed.items[at].kind.roots_mut().swap_remove(0);
+        let (own, span) = (Box::new(value.clone()), value.span);
+        value.kind = ExprKind::Binary(BinaryOp::Add, own.clone(), own);
+        value.span = span;
+        let once = changed.to_string();
+        let read = parse("two", &once);
+        assert!(read.diagnostics.is_empty(), "{once}{:?}", read.diagnostics);
+        assert_eq!(read.file.to_string(), once);
+        assert_eq!(states(&read.file), states(&changed), "{once}");
     }
 }

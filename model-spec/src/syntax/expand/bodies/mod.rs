@@ -3,16 +3,19 @@
 //! The equations of the first body are those of the model. The statements of the others stay, each followed by the
 //! statements that it stands for; these are made anew whenever a file is expanded, so that effects may add loads.
 
+mod attitude;
 mod statements;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{
-    Body, BodyClass, Expanded, Expr, File, Frame, FrameKind, Item, ItemKind, Load, LoadClass, Name,
-    Quantity, Template,
+    Body, BodyClass, Expanded, Expr, File, FrameKind, Item, ItemKind, Load, LoadClass, Name,
+    Template,
 };
 use crate::syntax::body_parts::Triple;
+use crate::syntax::reserved::BodyQuantity;
 use crate::syntax::{Parts, of_kind};
 use crate::unit::Unit;
+use attitude::Attitude;
 use statements::{Statement, Statements, expression};
 use std::sync::Arc;
 
@@ -107,6 +110,12 @@ fn unknown_bodies(file: &File, bodies: &[Body]) -> Vec<Diagnostic> {
     unknown.map(fault).collect()
 }
 
+/// Error about what only the first body can have.
+fn only_of_first(body: &Body, span: Span, message: String, help: &str) -> Diagnostic {
+    let message = format!("{message}, as `{}` is not the first body", body.name.text);
+    Diagnostic::new(Kind::Frame, span, message).help(help)
+}
+
 /// What the laws of a body are made of.
 struct Laws<'f> {
     body: &'f Body,
@@ -119,14 +128,6 @@ struct Laws<'f> {
     loads: Vec<(&'f Load, &'f Item)>,
 }
 
-/// Attitude of a body that turns.
-struct Attitude<'f> {
-    frame: &'f str,
-    quaternion: &'f [Name; 4],
-    angular_velocity: Triple<'f>,
-    inertia: &'f [[Option<Expr>; 3]; 3],
-}
-
 impl<'f> Laws<'f> {
     fn of(file: &'f File, body: &'f Body) -> Result<Self, Vec<Diagnostic>> {
         let (parts, mut faults) = Parts::of(body);
@@ -135,11 +136,8 @@ impl<'f> Laws<'f> {
             .find(|frame| frame.kind == FrameKind::Inertial);
         // A model without frames is refused by the checks.
         let inertial = inertial.map_or("N", |frame| frame.name.text.as_str());
-        let own = |kind, span, message: String, help: &str| {
-            let message = format!("{message}, as `{}` is not the first body", body.name.text);
-            Diagnostic::new(kind, span, message).help(help.to_owned())
-        };
-        let only_of_first = [
+        let own = |span, message, help: &str| only_of_first(body, span, message, help);
+        let of_first = [
             ("axis", parts.axis.map(|e| e.span)),
             ("forward", parts.forward.map(|e| e.span)),
             (
@@ -147,22 +145,16 @@ impl<'f> Laws<'f> {
                 parts.angular_velocity_frame.map(|f| f.span),
             ),
         ];
-        for (words, span) in only_of_first {
-            faults.extend(span.map(|span| {
-                own(
-                    Kind::Frame,
-                    span,
-                    format!("`{words}` has no meaning here"),
-                    "remove it",
-                )
-            }));
+        for (words, span) in of_first {
+            let message = format!("`{words}` has no meaning here");
+            faults.extend(span.map(|span| own(span, message, "remove it")));
         }
         let attitude = match body.class {
             BodyClass::Point => None,
-            BodyClass::Rigid => match attitude(file, &parts, inertial) {
+            BodyClass::Rigid => match Attitude::of(file, body, &parts, inertial) {
                 Ok(attitude) => attitude,
-                Err((span, message, help)) => {
-                    faults.push(own(Kind::Frame, span, message, &help));
+                Err(fault) => {
+                    faults.push(fault);
                     None
                 }
             },
@@ -178,12 +170,8 @@ impl<'f> Laws<'f> {
                 continue;
             };
             let message = format!("`{}` cannot be the frame of these components", frame.text);
-            faults.push(own(
-                Kind::Frame,
-                frame.span,
-                message,
-                &format!("write `in {inertial}`"),
-            ));
+            let help = format!("write `in {inertial}`");
+            faults.push(own(frame.span, message, &help));
         }
         let (Some(mass), Some(position), Some(velocity)) =
             (parts.mass, parts.position, parts.velocity)
@@ -220,178 +208,66 @@ impl<'f> Laws<'f> {
     }
 }
 
-/// Attitude of a body that turns, `None` if parts of it are missing; an error with its place, message and help.
-fn attitude<'f>(
-    file: &'f File,
-    parts: &Parts<'f>,
-    inertial: &str,
-) -> Result<Option<Attitude<'f>>, (Span, String, String)> {
-    let (Some(fixed), Some((inertia, _))) = (parts.fixed, parts.inertia) else {
-        return Ok(None);
-    };
-    let frame = &fixed.text;
-    let by_quaternion =
-        format!("declare `frame {frame} = {inertial} by quaternion (e0, e1, e2, e3);`");
-    let found = file.frames().find(|own| own.name.text == *frame);
-    let quaternion = found.and_then(|Frame { kind, .. }| match kind {
-        FrameKind::Quaternion { parent, states } if parent.text == inertial => Some(states),
-        _ => None,
-    });
-    let Some(quaternion) = quaternion else {
-        let message = format!("the attitude must be a quaternion from {inertial} to {frame}");
-        return Err((fixed.span, message, by_quaternion));
-    };
-    let Some(angular_velocity) = parts.angular.filter(|(_, own, _)| own.text == *frame) else {
-        let message = format!("the angular velocity must have states, with components in {frame}");
-        return Err((
-            fixed.span,
-            message,
-            format!("add `angular velocity (p, q, r) in {frame};` with states of its own"),
-        ));
-    };
-    if inertia.frame.text != *frame {
-        let message = format!("the moments of inertia must be given in {frame}");
-        return Err((inertia.frame.span, message, format!("write `in {frame}`")));
-    }
-    Ok(Some(Attitude {
-        frame,
-        quaternion,
-        angular_velocity,
-        inertia: &inertia.rows,
-    }))
-}
-
 impl Laws<'_> {
+    /// Name of a quantity of the body.
+    fn name(&self, quantity: BodyQuantity) -> String {
+        quantity.of(&self.body.name.text)
+    }
+
     fn statements(&self) -> Vec<Statement> {
         let (own, span) = (&self.body.name.text, self.body.name.span);
+        let [mass, position, velocity, force] = [
+            BodyQuantity::Mass,
+            BodyQuantity::Position,
+            BodyQuantity::Velocity,
+            BodyQuantity::Force,
+        ]
+        .map(|quantity| self.name(quantity));
         let mut made = Statements::at(span);
         made.states(self.position, Unit::METRE);
         made.states(self.velocity, Unit::SPEED);
-        made.constant(format!("mass_of_{own}"), Unit::KILOGRAM, self.mass.clone());
-        made.vector(format!("position_of_{own}"), self.position);
-        made.vector(format!("velocity_of_{own}"), self.velocity);
+        made.constant(mass.clone(), Unit::KILOGRAM, self.mass.clone());
+        made.vector(position, self.position);
+        made.vector(velocity.clone(), self.velocity);
         for (load, item) in &self.loads {
             made.load(own, load, item);
         }
-        let force = self.sum(LoadClass::Force, &self.velocity.1.text);
-        made.quantity(format!("force_on_{own}"), Unit::NEWTON, force);
-        let velocity = format!("in_{}(velocity_of_{own})", self.inertial);
+        let sum = self.sum(LoadClass::Force, &self.velocity.1.text);
+        made.quantity(force.clone(), Unit::NEWTON, sum);
         let carried = match &self.attitude {
             Some(attitude) if attitude.frame == self.velocity.1.text => {
-                format!(" - cross(angular_velocity_of_{own}, velocity_of_{own})")
+                let spin = self.name(BodyQuantity::AngularVelocity);
+                format!(" - cross({spin}, {velocity})")
             }
             _ => String::new(),
         };
         for k in 0..3 {
-            made.equation(&self.position.0[k], &format!("({velocity}).{}", k + 1));
-            let law = format!("(force_on_{own}/mass_of_{own}{carried}).{}", k + 1);
+            let travel = format!("in_{}({velocity}).{}", self.inertial, k + 1);
+            made.equation(&self.position.0[k], &travel);
+            let law = format!("({force}/{mass}{carried}).{}", k + 1);
             made.equation(&self.velocity.0[k], &law);
         }
-        let mut energy = format!("mass_of_{own}*dot(velocity_of_{own}, velocity_of_{own})/2");
-        let mut power = format!("dot(force_on_{own}, velocity_of_{own})");
+        let mut energy = format!("{mass}*dot({velocity}, {velocity})/2");
+        let mut power = format!("dot({force}, {velocity})");
         if let Some(attitude) = &self.attitude {
             self.turn(attitude, &mut made);
-            energy += &format!(" + dot(angular_momentum_of_{own}, angular_velocity_of_{own})/2");
-            power += &format!(" + dot(moment_on_{own}, angular_velocity_of_{own})");
-            made.claim(
-                &format!("angular_momentum_of_{own}"),
-                &format!("moment_on_{own}"),
-            );
+            let [spin, momentum, moment] = self.names_of_turning();
+            energy += &format!(" + dot({momentum}, {spin})/2");
+            power += &format!(" + dot({moment}, {spin})");
+            made.claim(&momentum, &moment);
         }
         made.claim(&energy, &power);
         made.list
     }
 
-    /// Euler's equations and those of the quaternion.
-    fn turn(&self, attitude: &Attitude<'_>, made: &mut Statements) {
-        let (own, frame) = (&self.body.name.text, attitude.frame);
-        let [p, q, r] = attitude
-            .angular_velocity
-            .0
-            .each_ref()
-            .map(|name| name.text.as_str());
-        let [a, b, c, d] = attitude
-            .quaternion
-            .each_ref()
-            .map(|name| name.text.as_str());
-        for (name, value) in attitude.quaternion.iter().zip(["1", "0", "0", "0"]) {
-            made.state(name, Quantity::new(value, None, name.span));
-        }
-        made.states(attitude.angular_velocity, Unit::RATE);
-        made.vector(
-            format!("angular_velocity_of_{own}"),
-            attitude.angular_velocity,
-        );
-        let is_diagonal = attitude.inertia.iter().flatten().flatten().count() == 3;
-        for (i, row) in attitude.inertia.iter().enumerate() {
-            for (j, entry) in row.iter().enumerate() {
-                if let Some(entry) = entry {
-                    let name = format!("{own}__I_{}{}", i + 1, j + 1);
-                    made.constant(name, Unit::INERTIA, entry.clone());
-                }
-            }
-        }
-        let entry = |i: usize, j: usize| format!("{own}__I_{i}{j}");
-        let row = |i: usize| match is_diagonal {
-            true => format!("{}*{}", entry(i, i), [p, q, r][i - 1]),
-            false => format!(
-                "{}*{p} + {}*{q} + {}*{r}",
-                entry(i, 1),
-                entry(i, 2),
-                entry(i, 3)
-            ),
-        };
-        let momentum = format!("({}, {}, {}) in {frame}", row(1), row(2), row(3));
-        made.formula(format!("angular_momentum_of_{own}"), &momentum, false);
-        made.quantity(
-            format!("moment_on_{own}"),
-            Unit::NEWTON_METRE,
-            self.sum(LoadClass::Moment, frame),
-        );
-        let left = format!(
-            "moment_on_{own} - cross(angular_velocity_of_{own}, angular_momentum_of_{own})"
-        );
-        made.formula(format!("{own}__torque"), &left, true);
-        // Cofactors of the symmetric tensor, over its determinant.
-        let cofactor = |i: usize, j: usize| {
-            let next = |k: usize| k % 3 + 1;
-            let (a, b, c, d) = (next(i), next(next(i)), next(j), next(next(j)));
-            format!(
-                "({}*{} - {}*{})",
-                entry(a, c),
-                entry(b, d),
-                entry(a, d),
-                entry(b, c)
-            )
-        };
-        if !is_diagonal {
-            let terms = [1, 2, 3].map(|j| format!("{}*{}", entry(1, j), cofactor(1, j)));
-            made.formula(format!("{own}__det"), &terms.join(" + "), true);
-            made.positive(
-                &format!("{own}__det"),
-                format!("the inertia tensor of {own} is not positive definite"),
-            );
-        }
-        for (k, name) in attitude.angular_velocity.0.iter().enumerate() {
-            let law = match is_diagonal {
-                true => format!("{own}__torque.{}/{}", k + 1, entry(k + 1, k + 1)),
-                false => {
-                    let terms =
-                        [1, 2, 3].map(|j| format!("{}*{own}__torque.{j}", cofactor(j, k + 1)));
-                    format!("({})/{own}__det", terms.join(" + "))
-                }
-            };
-            made.equation(name, &law);
-        }
-        let rates = [
-            format!("-({b}*{p} + {c}*{q} + {d}*{r})/2"),
-            format!("({a}*{p} + {c}*{r} - {d}*{q})/2"),
-            format!("({a}*{q} + {d}*{p} - {b}*{r})/2"),
-            format!("({a}*{r} + {b}*{q} - {c}*{p})/2"),
-        ];
-        for (name, rate) in attitude.quaternion.iter().zip(rates) {
-            made.equation(name, &rate);
-        }
+    /// Names of the angular velocity, the angular momentum and the moment.
+    fn names_of_turning(&self) -> [String; 3] {
+        [
+            BodyQuantity::AngularVelocity,
+            BodyQuantity::AngularMomentum,
+            BodyQuantity::Moment,
+        ]
+        .map(|quantity| self.name(quantity))
     }
 
     /// Sum of the loads of a class, with components in `frame`.

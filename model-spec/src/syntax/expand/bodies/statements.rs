@@ -110,9 +110,13 @@ impl Statements {
     }
 
     pub fn positive(&mut self, value: &str, reason: String) {
+        self.limit(value, "0", reason);
+    }
+
+    pub fn limit(&mut self, value: &str, bound: &str, reason: String) {
         let limit = Limit {
             value: expression(value, self.span),
-            bound: Quantity::new("0", None, self.span),
+            bound: Quantity::new(bound, None, self.span),
             reason,
         };
         self.push(ItemKind::Limit(limit), false);
