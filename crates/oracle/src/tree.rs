@@ -7,7 +7,7 @@ mod body;
 
 use crate::frames::{PlacedFrame, place_frames};
 use crate::point::Point;
-use crate::scalar::{Dual, Field, Infinitesimals, Interpolant, Real, Surface, call};
+use crate::scalar::{Dual, Infinitesimals, Interpolant, Real, Surface, call};
 use crate::system::{Solved, eliminate};
 use model_spec::layout::depends_on_accelerations;
 use model_spec::model::{Expr, ExprKind, Function, Load, Model, Shape, Table};
