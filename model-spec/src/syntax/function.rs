@@ -107,7 +107,11 @@ impl Parser<'_> {
         let is_vector = self.eat_word("vector");
         // The first `in` of `vector in in B` is the inch.
         if !(is_vector && self.at_word("in") && self.raw_at(1) != "in") {
-            of.unit = Some(self.unit()?);
+            of.unit = Some(match self.raw_at(1) {
+                // What a function takes has a type of its own, not one by its uses.
+                "?" => self.unit()?,
+                _ => self.unit_in_brackets_or_not()?,
+            });
         }
         if is_vector {
             of.frame = Some(self.in_frame("the unit of a vector")?);

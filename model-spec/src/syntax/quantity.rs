@@ -112,9 +112,14 @@ impl Parser<'_> {
         if !self.eat(Token::Sign(":")) {
             return Ok(None);
         }
+        self.unit_in_brackets_or_not().map(Some)
+    }
+
+    /// Parses a unit, such as `m/s` or `[1]`.
+    pub fn unit_in_brackets_or_not(&mut self) -> Read<UnitExpr> {
         match self.peek() {
-            Token::Sign("[") => self.square_unit().map(Some),
-            _ => self.unit().map(Some),
+            Token::Sign("[") => self.square_unit(),
+            _ => self.unit(),
         }
     }
 

@@ -163,3 +163,14 @@ fn the_result_of_a_copied_function_has_its_type() {
     let message = "the result of `drag` must be a vector";
     assert!(found[0].message.starts_with(message), "{found:?}");
 }
+
+#[test]
+fn pure_numbers_in_types_are_printed_as_they_are_read() {
+    let text = "function half(a: 1, v: vector 1 in N): vector 1 in N { return a*v/2; }
+        let way = half(1, N.1);
+        solve { unknown push: vector 1 in N; push = way; }";
+    let printed = read(text).tree.to_string();
+    let again = syntax::parse("probe.hyz", &printed);
+    assert!(again.diagnostics.is_empty(), "{printed}");
+    assert_eq!(again.file.to_string(), printed);
+}
