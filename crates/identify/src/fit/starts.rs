@@ -38,10 +38,6 @@ const STARTS: usize = 2;
 /// Maximum number of times that all flights are fitted again after single flights moved to better initial states.
 const EXCHANGES: usize = 3;
 
-/// Number of fits of least deviance whose single flights are tried from their other guesses: those of wrong minima rarely
-/// arrive at the best one, and cost as much.
-const EXCHANGED: usize = 2;
-
 /// Number of flights with which the minimum is searched where several instruments observe each; the others start there
 /// at their best initial states. Flights of one instrument determine the minimum only all together.
 const SEARCHED: usize = 4;
@@ -228,8 +224,8 @@ pub fn best_of_several(
 }
 
 /// Fits the flights from guesses of every speed, until two fits arrive at the least deviance. If none do, single
-/// flights of the best fits are tried from their other guesses. If one fit alone arrives, this becomes a doubt of the
-/// fit.
+/// flights are tried from their other guesses, those of the best fits first. If one fit alone arrives, this becomes a
+/// doubt of the fit.
 fn best_minimum<'a>(
     start: State<'a>,
     guesses: &Guesses<'_>,
@@ -250,14 +246,15 @@ fn best_minimum<'a>(
             break;
         }
     }
-    if least_deviance(&arrivals.fits).1 < 2 {
-        let deviances = deviances(&arrivals.fits);
-        let mut order: Vec<usize> = (0..deviances.len()).collect();
-        order.sort_by(|&a, &b| by_deviance(&deviances[a], &deviances[b]));
-        for place in order.into_iter().take(EXCHANGED) {
-            let (state, cache) = &mut arrivals.fits[place];
-            exchange_initial_states(state, cache, guesses)?;
+    let deviances = deviances(&arrivals.fits);
+    let mut order: Vec<usize> = (0..deviances.len()).collect();
+    order.sort_by(|&a, &b| by_deviance(&deviances[a], &deviances[b]));
+    for place in order {
+        if least_deviance(&arrivals.fits).1 > 1 {
+            break;
         }
+        let (state, cache) = &mut arrivals.fits[place];
+        exchange_initial_states(state, cache, guesses)?;
     }
     let (best, number) = least_deviance(&arrivals.fits);
     let doubt = format!(
