@@ -121,18 +121,27 @@ fn collect(
         }
         Node::Product(factors) => {
             for k in 0..factors.len() {
-                let (base, exponent) = factors[k];
-                let mut others = factors.to_vec();
-                // d/dx of x^(e/2) is e/2 x^(e/2 - 1); at x = 0 the guarded reciprocal makes the derivative 0.
-                others[k].1 = exponent - 2;
-                others.push((cofactor, 2));
-                let lowered = graph.product(others);
-                let c = coefficient.times(Number::fraction(exponent.into(), 2));
-                collect(graph, base, c, lowered, found);
+                let (c, lowered) = by_factor(graph, &factors, k, cofactor);
+                collect(graph, factors[k].0, coefficient.times(c), lowered, found);
             }
         }
         _ => found.add(id, (coefficient, cofactor)),
     }
+}
+
+/// Derivative of a product by the base of its factor number `k`, times `cofactor`: a coefficient and a product.
+fn by_factor(
+    graph: &mut ExprGraph,
+    factors: &[(NodeId, i32)],
+    k: usize,
+    cofactor: NodeId,
+) -> (Number, NodeId) {
+    let exponent = factors[k].1;
+    let mut others = factors.to_vec();
+    // d/dx of x^(e/2) is e/2 x^(e/2 - 1); at x = 0 the guarded reciprocal makes the derivative 0.
+    others[k].1 = exponent - 2;
+    others.push((cofactor, 2));
+    (Number::fraction(exponent.into(), 2), graph.product(others))
 }
 
 /// Derivative of an expression by a symbol.
@@ -217,19 +226,20 @@ impl Sweep<'_> {
 /// Terms of a sum or factors of a product, each with the partial derivative with respect to it.
 fn of_operands(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
     match graph.node(id).clone() {
-        Node::Sum(terms, _) => { terms.into_iter() }
-            .map(|(factor, term)| (term, graph.number(factor)))
-            .collect(),
-        Node::Product(factors) => (0..factors.len())
-            .map(|k| {
-                let (base, exponent) = factors[k];
-                let mut others = factors.to_vec();
-                others[k].1 = exponent - 2;
-                let rest = graph.product(others);
-                let by_base = graph.number(Number::fraction(exponent.into(), 2));
-                (base, graph.mul(by_base, rest))
-            })
-            .collect(),
+        Node::Sum(terms, _) => {
+            let partials = terms.into_iter();
+            let partials = partials.map(|(factor, term)| (term, graph.number(factor)));
+            partials.collect()
+        }
+        Node::Product(factors) => {
+            let one = graph.whole(1);
+            let partials = (0..factors.len()).map(|k| {
+                let (coefficient, lowered) = by_factor(graph, &factors, k, one);
+                let coefficient = graph.number(coefficient);
+                (factors[k].0, graph.mul(coefficient, lowered))
+            });
+            partials.collect()
+        }
         _ => of_node(graph, id),
     }
 }

@@ -135,9 +135,10 @@ fn check(whole: &Compiled, fixed: &[(usize, f64)], at: &Compiled, random: &mut R
                 row.iter().map(move |_| size)
             });
             for (((place, a), (_, b)), size) in known.iter().zip(&got).zip(sizes) {
-                // Loads of about 1 in SI units cancel to what is less.
+                let tolerance = 1e-12 * size.max(a.abs()).max(1e-9);
+                // Where loads of about 1 in SI units cancel, two roundings of theirs are left.
                 assert!(
-                    (a - b).abs() <= 1e-12 * size.max(a.abs()).max(1e-3),
+                    (a - b).abs() <= tolerance.max(2.0 * f64::EPSILON),
                     "{name} {place:?}: {a}, but {b} at these values"
                 );
             }

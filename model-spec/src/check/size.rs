@@ -19,11 +19,18 @@ struct Size {
     operations: u64,
 }
 
-const ATOM: Size = Size {
-    terms: 1,
-    factors: 1,
-    operations: 0,
-};
+const ATOM: Size = Size::of(1, 1);
+
+impl Size {
+    /// Size before its operations are counted.
+    const fn of(terms: u64, factors: u64) -> Self {
+        Size {
+            terms,
+            factors,
+            operations: 0,
+        }
+    }
+}
 
 /// Operations of the derivative of a product of two factors.
 const OF_PRODUCT: u64 = 3;
@@ -107,10 +114,10 @@ impl Sizes {
         });
         let [a, b, c] = [0, 1, 2].map(|k| sizes.get(k).copied().unwrap_or(ATOM));
         let (own, size) = match &e.kind {
-            K::Number { .. } => (0, Size { factors: 0, ..ATOM }),
+            K::Number { .. } => (0, Size::of(1, 0)),
             K::Axis(..) => {
                 let factors = self.frames;
-                (0, Size { factors, ..ATOM })
+                (0, Size::of(1, factors))
             }
             K::AuxVariable(i) => (0, self.variables.get(*i).copied().unwrap_or(ATOM)),
             K::Neg(_) | K::Component(..) => (0, a),
@@ -118,32 +125,18 @@ impl Sizes {
                 // A common factor of all terms may become a factor of the sum.
                 let factors = a.factors.max(b.factors);
                 let terms = a.terms.saturating_add(b.terms);
-                (
-                    each,
-                    Size {
-                        terms,
-                        factors,
-                        ..ATOM
-                    },
-                )
+                (each, Size::of(terms, factors))
             }
             K::Mul(..) | K::Div(..) | K::Ratio(_) => (each, product(a, b)),
             K::Dot(..) | K::Cross(..) => {
                 let operations = if each == 1 { 5 } else { 9 };
                 let factors = product(a, b).factors;
-                (
-                    operations,
-                    Size {
-                        terms: 3,
-                        factors,
-                        ..ATOM
-                    },
-                )
+                (operations, Size::of(3, factors))
             }
             K::Pow(_, doubled) => {
                 let times = u64::from(doubled.unsigned_abs()).div_ceil(2).max(1);
                 let factors = a.factors.max(1).saturating_mul(times);
-                (each, Size { factors, ..ATOM })
+                (each, Size::of(1, factors))
             }
             // Each operation is differentiated once; a product has a term for each factor.
             K::Rate(..) | K::Partial(..) => {
@@ -153,14 +146,7 @@ impl Sizes {
                 let terms = a.terms.saturating_mul(a.factors.max(1));
                 let of_each = a.factors.max(OF_PRODUCT);
                 let own = a.operations.max(1).saturating_mul(of_each);
-                (
-                    own,
-                    Size {
-                        terms,
-                        factors,
-                        ..ATOM
-                    },
-                )
+                (own, Size::of(terms, factors))
             }
             // By the laws of motion: a sum of loads over an inertia, in another frame.
             K::BodyRate(..) => {
@@ -168,40 +154,19 @@ impl Sizes {
                     most.max(load.factors.saturating_add(self.frames))
                 });
                 let own = self.frames.saturating_mul(4).saturating_add(9);
-                (
-                    own,
-                    Size {
-                        terms: 3,
-                        factors,
-                        ..ATOM
-                    },
-                )
+                (own, Size::of(3, factors))
             }
             K::Norm(_) => (6, Size { terms: 1, ..a }),
             K::Direction(..) => (9, product(a, a)),
             K::Reexpress(_) => {
                 let factors = a.factors.saturating_add(self.frames);
-                (
-                    self.frames.saturating_mul(4),
-                    Size {
-                        terms: 3,
-                        factors,
-                        ..ATOM
-                    },
-                )
+                (self.frames.saturating_mul(4), Size::of(3, factors))
             }
             K::Call(Function::Abs | Function::Sqrt, _) => (1, Size { terms: 1, ..a }),
             K::Components(_) => {
                 let terms = a.terms.max(b.terms).max(c.terms).max(1);
                 let factors = a.factors.max(b.factors).max(c.factors).max(1);
-                (
-                    0,
-                    Size {
-                        terms,
-                        factors,
-                        ..ATOM
-                    },
-                )
+                (0, Size::of(terms, factors))
             }
             K::Atan2(..) | K::Min(..) | K::Max(..) | K::Call(..) | K::Lookup(..) => (1, ATOM),
             _ => (0, ATOM),
@@ -222,11 +187,7 @@ impl Sizes {
 }
 
 fn product(a: Size, b: Size) -> Size {
-    Size {
-        terms: 1,
-        factors: a.factors.saturating_add(b.factors),
-        operations: 0,
-    }
+    Size::of(1, a.factors.saturating_add(b.factors))
 }
 
 fn shown(count: u64) -> String {

@@ -78,7 +78,7 @@ pub fn other_unit(
     if options.trust_data || options.known_faults.is_some() {
         return Ok(Vec::new());
     }
-    let units = OtherUnit::untold(dataset);
+    let units = OtherUnit::undetermined(dataset);
     let fails = |fit: &Fit| {
         let test = LackOfFit::of_fit(fit, options.threads()).ok()??;
         Some(test.fails(LACK_OF_FIT_LEVEL) || fit.report.is_above_noise())

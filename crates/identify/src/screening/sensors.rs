@@ -196,8 +196,8 @@ impl OtherUnit {
         }
     }
 
-    /// The other units of the instruments whose readings do not tell their unit.
-    pub fn untold(dataset: &Dataset) -> Vec<Self> {
+    /// The other units of the instruments whose unit the mechanics of the body do not determine.
+    pub fn undetermined(dataset: &Dataset) -> Vec<Self> {
         let (mut found, mut channel) = (Vec::new(), 0);
         for sensor in &dataset.sensors {
             if let SensorKind::Instrument(instrument) = sensor.kind

@@ -151,14 +151,8 @@ impl Laws<'_> {
                 for turn in turns {
                     made.state(&turn.rate(), at_rest(turn.angle, Unit::RATE));
                 }
-                for (
-                    k,
-                    Turn {
-                        frame: of, axis, ..
-                    },
-                ) in turns.iter().enumerate()
-                {
-                    let direction = format!("in_{frame}({of}.{axis})");
+                for (k, turn) in turns.iter().enumerate() {
+                    let direction = format!("in_{frame}({}.{})", turn.frame, turn.axis);
                     made.formula(format!("{own}__axis_{}", k + 1), &direction, true);
                 }
                 let terms = turns.iter().enumerate();
