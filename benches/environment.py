@@ -19,12 +19,11 @@ def peers(name, requirements):
     return python
 
 
-def built(example, manifest="Cargo.toml"):
-    """Cargo's target folder, with `hyzer` and an example of a workspace in `release`."""
+def built(example):
+    """Cargo's target folder, with `hyzer` and an example in `release`."""
     asked = ["cargo", "metadata", "--format-version", "1", "--no-deps"]
     told = subprocess.run(asked, cwd=ROOT, check=True, capture_output=True).stdout
     target = pathlib.Path(json.loads(told)["target_directory"])
     build = ["cargo", "build", "--release", "--target-dir", target, "--workspace"]
-    subprocess.run([*build, "--bin", "hyzer"], cwd=ROOT, check=True)
-    subprocess.run([*build, "--manifest-path", manifest, "--example", example], cwd=ROOT, check=True)
+    subprocess.run([*build, "--bin", "hyzer", "--example", example], cwd=ROOT, check=True)
     return target

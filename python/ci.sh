@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the wheel by the profile of the tests, installs it into an environment of its own, and checks it there.
 # With --all also the functions for other libraries, against the tape: ten minutes more.
-# CARGO_TARGET_DIR is taken from the caller, so that what `cargo test --workspace` built is used again.
+# CARGO_TARGET_DIR is taken from the caller, so that what `cargo test` built is used again.
 set -euo pipefail
 cd "$(dirname "$0")"
 root=$(cd .. && pwd)

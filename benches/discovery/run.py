@@ -29,7 +29,7 @@ ROOT = environment.ROOT
 
 def main():
     python = environment.peers("discovery", HERE / "requirements.txt")
-    target = environment.built("discovery_cases", "studies/Cargo.toml")
+    target = environment.built("discovery_cases")
     cases = target / "discovery-cases"
     subprocess.run([target / "release" / "examples" / "discovery_cases", cases], check=True)
     # Every case has a core of its own; the peers' matrices are too small to share.

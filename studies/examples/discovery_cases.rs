@@ -2,7 +2,7 @@
 //! catalogue, weak and strong, and flights without a seeded effect. Each dataset has a file `truth.json`. The output is
 //! identical for every run.
 //!
-//! `cargo run --release --manifest-path studies/Cargo.toml --example discovery_cases -- FOLDER`
+//! `cargo run --release -p hyzer-studies --example discovery_cases -- FOLDER`
 
 use std::fs;
 use std::path::Path;

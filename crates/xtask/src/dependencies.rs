@@ -1,5 +1,4 @@
-//! Checks of the dependencies: each is used, has an allowed licence, supports the Rust version of the workspace, and has
-//! one version in all workspaces.
+//! Checks of the dependencies: each is used, has an allowed licence, and supports the Rust version of the workspace.
 
 use std::path::Path;
 
@@ -24,17 +23,14 @@ const ALLOWED: [&str; 11] = [
     "Zlib",
 ];
 
-/// Returns an error if a dependency is unused, has a licence that is not allowed, needs a newer Rust version than the
-/// workspace, or has another version in another workspace.
+/// Returns an error if a dependency is unused, has a licence that is not allowed, or needs a newer Rust version than the
+/// workspace.
 pub fn check(root: &Path) -> Result<()> {
     let metadata = MetadataCommand::new()
         .manifest_path(root.join("Cargo.toml"))
         .other_options(["--locked".to_owned()])
         .exec()?;
     let mut faults = unused(&metadata)?;
-    for workspace in ["studies", "python"] {
-        faults.extend(versions(root, workspace, &metadata)?);
-    }
     for package in &metadata.packages {
         faults.extend(licence_fault(package));
         faults.extend(compiler_fault(package, &metadata));
@@ -89,29 +85,6 @@ fn names(text: &str, name: &str) -> bool {
         let starts = !before.is_some_and(is_word);
         starts && (after.starts_with("::") || after.starts_with(';') || after.starts_with(" as "))
     })
-}
-
-/// One message for each package of another workspace whose version there no package of this workspace has: both would
-/// be compiled, with all that depends on them.
-fn versions(root: &Path, workspace: &str, metadata: &Metadata) -> Result<Vec<String>> {
-    let other = MetadataCommand::new()
-        .manifest_path(root.join(workspace).join("Cargo.toml"))
-        .other_options(["--locked".to_owned()])
-        .exec()?;
-    let faults = other.packages.iter().filter_map(|package| {
-        let mut here = metadata
-            .packages
-            .iter()
-            .filter(|own| own.name == package.name)
-            .peekable();
-        let first = &here.peek()?.version;
-        let (name, there) = (&package.name, &package.version);
-        let is_here = here.any(|own| own.version == *there);
-        (!is_here).then(|| {
-            format!("{workspace}/Cargo.lock has {name} {there}, Cargo.lock {first}; `cargo update {name} --precise {first}` there")
-        })
-    });
-    Ok(faults.collect())
 }
 
 fn licence_fault(package: &Package) -> Option<String> {

@@ -133,23 +133,6 @@ fn lint(root: &Path) -> Result<()> {
         &[&clippy[..], &["--", "-D", "warnings"]].concat(),
         &[],
     )?;
-    section("studies");
-    let studies = ["--manifest-path", "studies/Cargo.toml"];
-    cargo(root, &[&["fmt", "--check"], &studies[..]].concat(), &[])?;
-    let target = std::env::var("CARGO_TARGET_DIR").unwrap_or_else(|_| "target".to_owned());
-    let clippy = [
-        "clippy",
-        "--all-targets",
-        "--locked",
-        "--quiet",
-        "--target-dir",
-        &target,
-    ];
-    cargo(
-        root,
-        &[&clippy, &studies[..], &["--", "-D", "warnings"]].concat(),
-        &[],
-    )?;
     section("rustdoc");
     let doc = ["doc", "--workspace", "--no-deps", "--locked", "--quiet"];
     cargo(root, &doc, &[("RUSTDOCFLAGS", "-D warnings")])

@@ -19,9 +19,8 @@ pub struct Fitted {
     pub worst: Option<(String, f64)>,
     /// Reasons why the estimates are not reliable, or the error that ended the fit.
     pub reasons: String,
-    /// RMS residual, as a multiple of the noise, that hidden physics leaves in a fit of the flights without noise; only
-    /// for a fit that is confidently wrong.
-    pub misfit: Option<f64>,
+    /// What hidden physics leaves in a fit of the flights without noise; only for a fit that is confidently wrong.
+    pub misfit: Option<Misfit>,
     /// Whether the fit was cancelled at the limit of its time.
     pub interrupted: bool,
     /// Processor time of the fit on one thread, s.
@@ -59,10 +58,24 @@ impl Fitted {
         }
     }
 
-    /// Whether the fit states that it is reliable although an estimate is wrong by more than four standard errors.
-    pub fn is_confidently_wrong(&self) -> bool {
-        self.reliable && self.worst.as_ref().is_some_and(|(_, z)| *z > MAX_Z)
+    /// Whether no estimate is wrong by more than four standard errors.
+    pub fn is_right(&self) -> bool {
+        self.worst.as_ref().is_some_and(|(_, z)| *z <= MAX_Z)
     }
+
+    /// Whether the fit states that it is reliable although an estimate is wrong.
+    pub fn is_confidently_wrong(&self) -> bool {
+        self.reliable && !self.is_right()
+    }
+}
+
+/// Residuals of a fit of flights without noise.
+#[derive(Clone, Copy, Debug)]
+pub struct Misfit {
+    /// Their root mean square, as a multiple of the noise.
+    pub ratio: f64,
+    /// Their sum of squares over the variance of the noise: the non-centrality of a score test for what is missing.
+    pub chi2: f64,
 }
 
 /// What a diagnosis says of a dataset.
@@ -74,9 +87,9 @@ pub struct Diagnosed {
     pub is_wrong_cause: bool,
     /// Whether the diagnosis finds nothing although the hidden physics leaves residuals of more than twice the noise.
     pub is_false_all_clear: bool,
-    /// RMS residual that the hidden physics leaves in a fit of the flights without noise / noise; `None` without hidden
-    /// physics, or if that fit has no result.
-    pub misfit: Option<f64>,
+    /// What the hidden physics leaves in a fit of the flights without noise; `None` without hidden physics, or if that fit
+    /// has no result.
+    pub misfit: Option<Misfit>,
     /// Processor time of the diagnosis on one thread, s.
     pub seconds: f64,
 }
@@ -89,7 +102,7 @@ impl Diagnosed {
         result: Result<Report, String>,
         case: &Case,
         cause: Option<&str>,
-        misfit: Option<f64>,
+        misfit: Option<Misfit>,
         seconds: f64,
     ) -> Self {
         let mut found = Self {
@@ -113,7 +126,7 @@ impl Diagnosed {
         let sites: Vec<String> = effects.iter().map(|effect| effect.site.clone()).collect();
         let identified = report.verdict == Verdict::Identified;
         found.is_wrong_cause = identified && !case.is_cause(cause, &names, &sites);
-        let is_clear = misfit.is_some_and(|misfit| misfit > CLEAR);
+        let is_clear = misfit.is_some_and(|misfit| misfit.ratio > CLEAR);
         let finds_nothing = report.verdict == Verdict::Adequate;
         found.is_false_all_clear = case.group() == Group::Hidden && finds_nothing && is_clear;
         let faults = report.data_faults.len();

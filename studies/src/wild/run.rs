@@ -7,7 +7,7 @@ use diagnose::{DiagnosisOptions, diagnose};
 use identify::{CancellationToken, FitOptions, fit};
 
 use super::case::{Case, Group};
-use super::judge::{Diagnosed, Fitted};
+use super::judge::{Diagnosed, Fitted, Misfit};
 use super::recording::Recording;
 use crate::bounded_fit::{cancelled_after, on_threads};
 use crate::progress::{Progress, each_run};
@@ -29,9 +29,16 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether nothing is wrong with the dataset, and the fit says that it is not reliable, or has no result.
+    /// Whether nothing is wrong with the dataset and the estimates, and the fit says that it is not reliable; or whether
+    /// nothing is wrong with the dataset, and the fit has no result.
     pub fn is_vetoed(&self) -> bool {
-        self.case.group() == Group::Clean && !self.fitted.reliable
+        let is_right = self.fitted.is_right() || self.fitted.worst.is_none();
+        self.case.group() == Group::Clean && is_right && !self.fitted.reliable
+    }
+
+    /// Whether nothing is wrong with the dataset, an estimate is wrong, and the fit says that it is not reliable.
+    pub fn is_missed(&self) -> bool {
+        self.case.group() == Group::Clean && !self.fitted.reliable && !self.is_vetoed()
     }
 }
 
@@ -87,8 +94,8 @@ fn diagnosed(case: &Case, recording: &Recording) -> Diagnosed {
     Diagnosed::of(found, case, recording.cause.as_deref(), misfit, seconds)
 }
 
-/// RMS residual of a fit of the flights without noise, as a multiple of the noise.
-fn misfit(case: &Case) -> Option<f64> {
+/// Residuals of a fit of the flights without noise.
+fn misfit(case: &Case) -> Option<Misfit> {
     let exact = case.recording(true);
     let sigma = exact.sigma?;
     let dataset = Dataset {
@@ -103,7 +110,13 @@ fn misfit(case: &Case) -> Option<f64> {
         };
         fit(&exact.model, &dataset, &options)
     });
-    Some(found.ok()?.report.rms() / sigma)
+    let report = found.ok()?.report;
+    let ratio = report.rms() / sigma;
+    let points: usize = report.noise.values().map(|own| own.points).sum();
+    Some(Misfit {
+        ratio,
+        chi2: 3.0 * points as f64 * ratio * ratio,
+    })
 }
 
 /// Options with which a user fits a recording, on one thread.

@@ -30,6 +30,10 @@ const MAX_LEAD: usize = 2;
 /// jump: noise exceeds it at one sample in 10⁹, and deviations due to the model grow smoothly.
 const GAIN: (f64, f64) = (60.0, 4.0);
 
+/// Minimum jump of the velocity, m/s: a body that has fallen half a millimetre is faster. A force or a distortion that sets
+/// in turns the path without a jump.
+const MIN_JUMP: f64 = 0.1;
+
 /// Number of later samples that confirm a jump, and the ratio by which they increase its gain if this rose abruptly
 /// (see `OUTLIER_GAIN`). Samples after an outlier do not increase its gain.
 const CONFIRMING: (usize, f64) = (2, 1.2);
@@ -74,10 +78,12 @@ pub fn contact_time(
         let is_seen = |sample: &usize| !rows[sample - trajectory.first].is_empty();
         match departure(&tests, tried.clone(), is_seen)? {
             Departure::Contact(found) => {
+                let jump = jump_of_velocity(trajectory, &observations, found);
                 // A deviation that grows earlier was part of the fit: it is the misfit of a wrong model.
-                return (found.contact + MAX_LEAD >= sought.start).then(|| Onset {
+                let is_in_time = found.contact + MAX_LEAD >= sought.start;
+                return (is_in_time && jump.norm() > MIN_JUMP).then_some(Onset {
                     sample: found.contact,
-                    jump: jump_of_velocity(trajectory, &observations, found),
+                    jump,
                 });
             }
             Departure::Outlier(sample) => {

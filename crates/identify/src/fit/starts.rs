@@ -1,7 +1,10 @@
 //! Fits from several starts: with another spin if samples are far apart, and from several guesses of every flight
 //! without measured positions, whose instruments do not determine the initial attitude and velocity.
 
+use std::f64::consts::TAU;
+
 use flight::parallel;
+use model_spec::model::Model;
 use nalgebra::DVector;
 
 use super::FitError;
@@ -142,8 +145,23 @@ fn converged(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
 /// Whether a flight has another initial state in another fit: with a gyroscope both may arrive at the same spin.
 fn is_another(one: &State<'_>, other: &State<'_>) -> bool {
     let mut pairs = one.local.iter().zip(&other.local);
-    one.local.len() == other.local.len()
-        && pairs.any(|(one, other)| (one - other).norm() > ANOTHER * other.norm())
+    let model = &one.problem.model;
+    one.local.len() == other.local.len() && pairs.any(|(one, other)| !are_same(model, (one, other)))
+}
+
+/// Whether two initial states differ little, but for whole turns and the signs of quaternions.
+fn are_same(model: &Model, (one, other): (&DVector<f64>, &DVector<f64>)) -> bool {
+    let mut difference = one - other;
+    for angle in model.angle_states() {
+        difference[angle] -= TAU * (difference[angle] / TAU).round();
+    }
+    for quaternion in model.quaternions() {
+        let dot: f64 = quaternion.iter().map(|&k| one[k] * other[k]).sum();
+        for k in quaternion {
+            difference[k] = one[k] - dot.signum() * other[k];
+        }
+    }
+    difference.norm() < ANOTHER * other.norm()
 }
 
 /// Decrease of the deviance from the fit `before` to the fit `new`, for noise of unknown size: with weak priors of the
@@ -372,6 +390,7 @@ fn distinct(
     observations: &Observations,
     guesses: &[InitialGuess],
 ) -> Vec<DVector<f64>> {
+    let model = &at.problem.model;
     let samples = observations.samples_until(observations.times[0] + FIRST_PART.0);
     let begun = guesses.iter().filter_map(|guess| {
         at.fit_initial_state(observations, samples, guess.state.clone())
@@ -381,10 +400,40 @@ fn distinct(
     begun.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut found: Vec<DVector<f64>> = Vec::new();
     for (_, state) in begun {
-        let is_same = |other: &DVector<f64>| (&state - other).norm() < ANOTHER * other.norm();
+        let is_same = |other: &DVector<f64>| are_same(model, (&state, other));
         if found.len() < FIRST_PART.1 && !found.iter().any(is_same) {
             found.push(state);
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_turns_and_negated_quaternions_are_the_same_state() {
+        let disc = model_spec::load::load("disc", &[]).unwrap();
+        let spun = disc.angle_states()[2];
+        let state = DVector::from_fn(12, |k, _| 1.0 + k as f64);
+        let turned = |angle: f64| {
+            let mut state = state.clone();
+            state[spun] += angle;
+            state
+        };
+        let norm = state.norm();
+        assert!(are_same(&disc, (&turned(-2.0 * TAU), &state)));
+        assert!(!are_same(&disc, (&turned(2.0 * TAU + 0.1 * norm), &state)));
+        let disc = model_spec::load::load("disc_quaternion", &[]).unwrap();
+        let mut state = DVector::from_element(disc.states.len(), 0.0);
+        let quaternion = disc.quaternions().next().unwrap();
+        for (k, value) in quaternion.into_iter().zip([0.5, -0.5, 0.1, 0.7]) {
+            state[k] = value;
+        }
+        assert!(are_same(&disc, (&-&state, &state)));
+        let mut other = state.clone();
+        other[quaternion[2]] = -0.1;
+        assert!(!are_same(&disc, (&other, &state)));
+    }
 }

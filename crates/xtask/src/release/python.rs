@@ -19,7 +19,14 @@ pub fn build(root: &Path, parts: &Path) -> Result<PathBuf> {
     run_tool(pip(&tools).arg("install").args(TOOLS))?;
     let common = ["--manifest-path", "python/Cargo.toml", "--out"];
     let mut wheel = maturin(root, &tools);
-    wheel.args(["build", "--quiet", "--profile", "dist", "--locked", "--zig"]);
+    wheel.args([
+        "build",
+        "--quiet",
+        "--profile",
+        "wheel-dist",
+        "--locked",
+        "--zig",
+    ]);
     run_tool(
         wheel
             .args(["--compatibility", "manylinux2014"])
