@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use identify::{Fit, FlightReport, MARKER, NoiseReport};
+use identify::{Fit, FlightReport, MARKER, NoiseModel, NoiseReport};
 use model_spec::sort_by_number;
 
 use super::narrative;
@@ -53,7 +53,7 @@ pub(crate) fn build_report(
         verdict: verdict(search.is_significant() || !is_noise, &explanations),
         summary: String::new(),
         explanations,
-        noise: noise(before, model, search),
+        noise: noise((before, residuals), model, search),
         predictive_gain: None,
         coefficients: coefficients(before, None),
         not_identifiable,
@@ -103,9 +103,13 @@ pub(super) fn add_share(explanation: &mut Explanation, residuals: &LackOfFit) {
         residuals.beyond_noise_m * (1.0 - explanation.explained_fraction).sqrt();
 }
 
-/// Noise as in the fit of the model under test; that of the positions is estimated by the search.
+/// Ratio to the noise floor of the residuals above which the noise that the search estimates contains misfit.
+const INFLATED: f64 = 2.0;
+
+/// Noise as in the fit of the model under test; that of the positions is estimated by the search, or is the noise floor
+/// of the residuals if the candidates leave much more.
 fn noise(
-    before: &Fit,
+    (before, residuals): (&Fit, Option<&LackOfFit>),
     model: &ScoreTestModel<'_>,
     search: &Search,
 ) -> BTreeMap<String, NoiseReport> {
@@ -118,9 +122,12 @@ fn noise(
         .map(|f| f.outlier.iter().filter(|o| **o).count())
         .sum();
     let mut noise = before.report.noise.clone();
+    let floor = residuals.map(|own| &own.noise);
+    let is_inflated = |floor: &&NoiseModel| search.noise.overall() > INFLATED * floor.overall();
+    let of_positions = floor.filter(is_inflated).unwrap_or(&search.noise);
     if let Some(positions) = noise.get_mut(MARKER) {
-        positions.sigma = search.noise.overall();
-        positions.lag1_autocorrelation = search.noise.ar1.iter().sum::<f64>() / 3.0;
+        positions.sigma = of_positions.overall();
+        positions.lag1_autocorrelation = of_positions.ar1.iter().sum::<f64>() / 3.0;
         positions.outlier_fraction = outliers as f64 / points.max(1) as f64;
     }
     noise
@@ -354,8 +361,9 @@ mod tests {
     use crate::test_support::mystery;
 
     /// Report of a fit that did not converge and in which the first flight has no samples. The two values of the array
-    /// state whether a model error is detected: first with the default detection threshold, then with the threshold −∞.
-    fn report_of_faulty_fit() -> (Report, [bool; 2]) {
+    /// state whether a model error is detected: first with the default detection threshold, then with the threshold −∞. The
+    /// last value is the noise, m, that is reported if misfit inflates that of the search a hundredfold.
+    fn report_of_faulty_fit() -> (Report, [bool; 2], f64) {
         let mut dataset = mystery(4);
         dataset.flights[0]
             .positions
@@ -377,12 +385,20 @@ mod tests {
         let before = search.is_significant();
         search.at_base.thresholds.detect = f64::NEG_INFINITY;
         let after = search.is_significant();
-        (build_report((&fit, None), &tests, &search), [before, after])
+        let report = build_report((&fit, None), &tests, &search);
+        for sigma in &mut search.noise.sigma {
+            *sigma *= 100.0;
+        }
+        let residuals = LackOfFit::of_fit(&fit, 1).unwrap();
+        let inflated = build_report((&fit, residuals.as_ref()), &tests, &search);
+        (report, [before, after], inflated.leading_noise().sigma)
     }
 
     #[test]
     fn excluded_flights_unconverged_fits_and_changed_thresholds_are_reported() {
-        let (report, significant) = report_of_faulty_fit();
+        let (report, significant, noise) = report_of_faulty_fit();
+        // The dataset was made with noise of 1.5 mm.
+        assert!((noise / 0.0015 - 1.0).abs() < 0.1, "{noise}");
         // An excluded flight has no residuals.
         let [excluded, fitted, ..] = &report.flights[..] else {
             panic!("four flights");
