@@ -340,7 +340,12 @@ impl Parser<'_> {
                 axis,
             });
         }
-        let angle = self.quantity("the name of the angle after `turned`")?;
+        let what = "the name of the angle after `turned`";
+        if self.peek() == Token::Sign("(") {
+            let help = "a frame by a unit quaternion is written `by quaternion (q0, q1, q2, q3)`";
+            return self.expected_help(what, Some(help.to_owned()));
+        }
+        let angle = self.quantity(what)?;
         self.need_word("about", "the angle")?;
         let axis = self.axis("the axis: 1, 2 or 3")?;
         Ok(FrameKind::Fixed {

@@ -75,6 +75,10 @@ fn a_frame_is_turned_by_a_number_a_parameter_or_a_coefficient() {
             "frame A = N turned 3 m about 1;",
             "a frame is turned by an angle",
         ),
+        (
+            "frame A = N turned (q0, q1, q2, q3);",
+            "`by quaternion (q0, q1, q2, q3)`",
+        ),
     ] {
         let found = refused(statement);
         assert!(found.contains(message), "{found}");
