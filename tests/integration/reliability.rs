@@ -1,5 +1,7 @@
 //! Fits that must not be relied on say so, and complete models are not doubted.
 
+use std::cell::Cell;
+
 use hyzer::{
     Dataset, DatasetBuilder, Effect, Fit, Instrument, Model, Plan, Role, SensorKind, synthesize,
 };
@@ -175,6 +177,77 @@ fn units_conventions_and_saturation_of_sensors_are_named() {
     refused(sensed(same, last), "scalar part last");
     let clipped = |rate: [f64; 3]| rate.map(|own| own.clamp(-34.9, 34.9));
     refused(sensed(clipped, unturned), "imu_z is saturated");
+    let (count, kept) = (Cell::new(0), Cell::new([0.0; 3]));
+    let stuck = |is_fresh: fn(i32) -> bool| {
+        let (count, kept) = (&count, &kept);
+        move |rate: [f64; 3]| {
+            if is_fresh(count.replace(count.get() + 1) % 160) {
+                kept.set(rate);
+            }
+            kept.get()
+        }
+    };
+    let frozen = stuck(|sample| !(40..60).contains(&sample));
+    let during = "imu stays at the same reading from t = 0.195 s to 0.295 s";
+    refused(sensed(frozen, unturned), during);
+    let held = stuck(|sample| sample % 2 == 0);
+    refused(
+        sensed(held, unturned),
+        "imu repeats its readings in 79 of 158",
+    );
+    let dropped = |rate: [f64; 3]| match count.replace(count.get() + 1) % 10 {
+        3 => [0.0; 3],
+        _ => rate,
+    };
+    refused(
+        sensed(dropped, unturned),
+        "imu is exactly zero in 16 samples",
+    );
+}
+
+#[test]
+fn the_unit_of_a_speed_is_named_by_the_path() {
+    let model = Model::load("ball").unwrap();
+    let release = model.release("serve").unwrap();
+    let flight = model.fly(&release).unwrap();
+    let times: Vec<f64> = (0..60).map(|i| f64::from(i) / 120.0).collect();
+    let state = |names: [&str; 3], t: f64| names.map(|name| flight.state(name, t).unwrap());
+    let seen = |t: &f64| vec![Some(state(["x", "y", "z"], *t))];
+    let positions: Vec<_> = times.iter().map(seen).collect();
+    let said = |unit: f64| {
+        let speed = |t: &f64| {
+            let norm = state(["vx", "vy", "vz"], *t)
+                .iter()
+                .map(|v| v * v)
+                .sum::<f64>()
+                .sqrt();
+            // The last digit changes as noise does.
+            Some([norm / unit * (1.0 + 1e-3 * (1e4 * t).sin()), 0.0, 0.0])
+        };
+        let speeds: Vec<_> = times.iter().map(speed).collect();
+        let radar = SensorKind::Instrument(Instrument::Speed);
+        let data = DatasetBuilder::new("ball")
+            .marker("m1", [0.0; 3])
+            .sensor("radar", radar, [0.0; 3])
+            .flight("serve", Role::Fit, &times, positions.clone())
+            .readings("radar", &speeds)
+            .build()
+            .unwrap();
+        match Fit::of(&model).run(&data) {
+            Ok(fit) => fit.cautions().join(" "),
+            Err(error) => error.to_string(),
+        }
+    };
+    assert!(!said(1.0).contains("speed ="), "{}", said(1.0));
+    for (name, unit) in [
+        ("km/h", 1.0 / 3.6),
+        ("mph", 0.44704),
+        ("ft/s", 0.3048),
+        ("kn", 0.51444),
+    ] {
+        let named = format!("state `speed = \"{name}\"`");
+        assert!(said(unit).contains(&named), "{}", said(unit));
+    }
 }
 
 /// Twenty turns of a body whose gyroscope and accelerometer, 3 cm off the axis, state what a spin of 60 rad/s demands, in

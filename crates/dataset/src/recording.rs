@@ -20,6 +20,14 @@ pub const ANGULAR_RATES: [(&str, f64); 3] =
     [("rad/s", 1.0), ("deg/s", PI / 180.0), ("rpm", PI / 30.0)];
 /// Units of the readings of accelerometers, with their values in m/s²; the first is that of a dataset.
 pub const ACCELERATIONS: [(&str, f64); 2] = [("m/s^2", 1.0), ("g", 9.80665)];
+/// Units of the readings of speeds, with their values in m/s; the first is that of a dataset.
+pub const SPEEDS: [(&str, f64); 5] = [
+    ("m/s", 1.0),
+    ("km/h", 1.0 / 3.6),
+    ("mph", 0.44704),
+    ("ft/s", 0.3048),
+    ("kn", 1852.0 / 3600.0),
+];
 const ATTITUDES: [&str; 2] = ["body_to_inertial", INVERSE];
 /// Value of the key `attitude` if quaternions turn inertial to body components.
 const INVERSE: &str = "inertial_to_body";
@@ -50,6 +58,8 @@ pub(super) struct Recording {
     angular_rate: f64,
     /// Unit of the readings of accelerometers, m/s².
     acceleration: f64,
+    /// Unit of the readings of speeds, m/s.
+    speed: f64,
     inverse_attitude: bool,
     /// Axis of the tracked body that is the third body axis of the model.
     body_up: Axis,
@@ -64,6 +74,7 @@ impl Default for Recording {
             left_handed: false,
             angular_rate: 1.0,
             acceleration: 1.0,
+            speed: 1.0,
             inverse_attitude: false,
             body_up: UP_Z,
         }
@@ -88,6 +99,7 @@ impl Recording {
             "left_handed",
             "angular_rate",
             "acceleration",
+            "speed",
             "attitude",
             "body_up",
         ];
@@ -102,6 +114,7 @@ impl Recording {
         };
         recording.angular_rate = unit("angular_rate", &ANGULAR_RATES)?;
         recording.acceleration = unit("acceleration", &ACCELERATIONS)?;
+        recording.speed = unit("speed", &SPEEDS)?;
         if let Some(text) = choice("attitude", &ATTITUDES)? {
             recording.inverse_attitude = text == INVERSE;
         }
@@ -147,7 +160,7 @@ impl Recording {
         let unit = match instrument {
             Instrument::Gyroscope => self.angular_rate,
             Instrument::Accelerometer => self.acceleration,
-            Instrument::Speed => 1.0,
+            Instrument::Speed => self.speed,
         };
         reading.map(|part| part * unit)
     }

@@ -52,33 +52,21 @@ pub(crate) fn measure<R: Send>(
         gain: known_gain,
         chi2_decrease,
     } = chosen;
-    // The gain, the caller's result and the fit are independent of one another.
-    let (cross_validated, (callback_result, after)) = join(
+    // The caller's result and the fit are independent of one another.
+    let (callback_result, after) = join(
         threads,
-        || match has_held_out || known_gain.is_some() || context.is_out_of_time() {
-            true => Ok(known_gain.clone()),
-            false => {
-                let models = [model, &extension.model];
-                cross_validate(models, dataset, &options.fit, apply_to, noise_floor)
-            }
-        },
-        || {
-            join(
-                threads,
-                || on_extension(&extension),
-                || known_fit.map_or_else(|| fit(&extension.model, dataset, &options.fit), Ok),
-            )
-        },
+        || on_extension(&extension),
+        || known_fit.map_or_else(|| fit(&extension.model, dataset, &options.fit), Ok),
     );
     let fit = after?;
-    let (not_applied, gain) = match has_held_out {
-        true => {
-            let not_applied = apply_to.exceptions(before, &fit);
-            let gain = gain_of_fits(before, &fit, &not_applied, noise_floor);
-            (not_applied, gain)
-        }
-        false => (Vec::new(), cross_validated?),
-    };
+    let (mut not_applied, mut gain) = (Vec::new(), known_gain);
+    if has_held_out {
+        not_applied = apply_to.exceptions(before, &fit);
+        gain = gain_of_fits(before, &fit, &not_applied, noise_floor);
+    } else if gain.is_none() && !context.is_out_of_time() {
+        let models = [(model, before), (&extension.model, &fit)];
+        gain = cross_validate(models, dataset, &options.fit, apply_to, noise_floor)?;
+    }
     Ok(MeasuredExtension {
         extension,
         fit,

@@ -1,7 +1,7 @@
 //! Out-of-sample gain of extended models, by 2-fold cross-validation over flights or on held-out ones.
 
 use flight::parallel;
-use identify::{CONDITIONING_FRACTION, Fit, FitError, FitOptions, FlightId, Moments, fit};
+use identify::{CONDITIONING_FRACTION, Fit, FitError, FitOptions, FlightId, Moments, fit, refit};
 use model_spec::model::Model;
 
 use super::predictive_gain::{Predictions, PredictiveGain, held_out_gain, predictions, summarize};
@@ -13,10 +13,10 @@ use dataset::{Dataset, Role};
 
 const FOLDS: usize = 2;
 
-/// Gain of the second model over the first: each fold is predicted by a fit of the others. `None` for fewer than two
-/// flights, or if none is predicted.
+/// Gain of the second model over the first, each with its fit to all flights: each fold is predicted by a fit of the
+/// others, which starts there. `None` for fewer than two flights, or if none is predicted.
 pub(crate) fn cross_validate(
-    models: [&Model; 2],
+    models: [(&Model, &Fit); 2],
     dataset: &Dataset,
     options: &FitOptions<'_>,
     apply_to: ApplyTo,
@@ -32,11 +32,9 @@ pub(crate) fn cross_validate(
         ..*options
     };
     let fits = parallel::each_on(threads, 2 * FOLDS, |index| {
-        fit(
-            models[index % 2],
-            &with_fold_held_out(dataset, index / 2),
-            &options,
-        )
+        let (model, to_all) = models[index % 2];
+        let split = with_fold_held_out(dataset, index / 2);
+        refit(model, &split, &options, to_all)
     });
     let mut all = Predictions::default();
     for pair in fits.chunks(2) {
@@ -59,15 +57,14 @@ pub(crate) fn cross_validate(
 /// cross-validation. `noise_m` is that of a coordinate, m.
 pub(super) fn out_of_sample_gain(
     context: Context<'_>,
-    [before, after]: [(&Model, &Fit); 2],
+    models: [(&Model, &Fit); 2],
     noise_m: f64,
 ) -> Result<Option<PredictiveGain>, FitError> {
     if context.has_held_out() {
-        let (before, after) = (&before.1.report, &after.1.report);
+        let [before, after] = models.map(|(_, fit)| &fit.report);
         return Ok(held_out_gain(before, after, noise_m));
     }
-    let (models, options) = ([before.0, after.0], &context.options.fit);
-    let all = ApplyTo::AllFlights;
+    let (options, all) = (&context.options.fit, ApplyTo::AllFlights);
     cross_validate(models, context.dataset, options, all, noise_m)
 }
 
@@ -259,7 +256,8 @@ mod tests {
         let [base, true_model] =
             [&[][..], &["stall"]].map(|with| model_spec::load::load("disc", with).unwrap());
         let options = FitOptions::default();
-        let models = [&base, &true_model];
+        let fits = [&base, &true_model].map(|model| fit(model, &dataset, &options).unwrap());
+        let models = [(&base, &fits[0]), (&true_model, &fits[1])];
         let gain = cross_validate(models, &dataset, &options, ApplyTo::AllFlights, 0.0015);
         let gain = gain.unwrap().unwrap();
         assert!(!gain.held_out_by_dataset && gain.flights == 10);

@@ -138,7 +138,7 @@ pub fn first_motion(
         rates: None,
     };
     if problem.has_attitude {
-        let rates = rates(&seen, observations)?;
+        let rates = rates(&seen)?;
         motion.attitude = attitude(&seen, rates);
         motion.rates = Some(rates);
     }
@@ -204,16 +204,16 @@ impl Parabola {
 }
 
 /// Angular velocity, inertial, rad/s: median over successive poses, which nutation and outliers hardly change.
-fn rates(seen: &[MeasuredFrame], observations: &Observations) -> Result<Vector3<f64>, FlightError> {
-    let usual = observations.interval().unwrap_or(f64::INFINITY);
-    let pairs: Vec<Vector3<f64>> = seen
-        .windows(2)
-        .filter_map(|pair| {
-            let gap = pair[1].time - pair[0].time;
-            let turn = pair[1].attitude? * pair[0].attitude?.inverse();
-            (gap <= MAX_GAP * usual).then(|| turn.scaled_axis() / gap)
-        })
-        .collect();
+fn rates(seen: &[MeasuredFrame]) -> Result<Vector3<f64>, FlightError> {
+    let turns = seen.windows(2).filter_map(|pair| {
+        let turn = pair[1].attitude? * pair[0].attitude?.inverse();
+        Some((pair[1].time - pair[0].time, turn.scaled_axis()))
+    });
+    let turns: Vec<(f64, Vector3<f64>)> = turns.collect();
+    // Other sensors may have samples between those of the poses.
+    let usual = median_of(turns.iter().map(|(gap, _)| *gap)).unwrap_or(f64::INFINITY);
+    let near = turns.iter().filter(|(gap, _)| *gap <= MAX_GAP * usual);
+    let pairs: Vec<Vector3<f64>> = near.map(|(gap, turn)| turn / *gap).collect();
     // A gap of several intervals may hide whole turns that a single interval would show.
     median_vector(&pairs).ok_or(FlightError::NoNeighbouringPoses)
 }

@@ -6,6 +6,7 @@ mod free_fall;
 mod handling;
 mod loads;
 mod mirror;
+mod path_speed;
 mod records;
 mod sensors;
 mod template;

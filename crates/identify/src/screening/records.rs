@@ -83,41 +83,62 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
             "leave the cells of a marker that was not seen empty",
         );
     }
-    let (runs, still) = runs(&track);
-    let pairs = track.len() - 1;
-    if let Some(whole) = runs.iter().find(|run| run.samples == track.len()) {
+    let whole = track.len();
+    if track.iter().all(|(_, point)| *point == track[0].1) {
         return fault(
-            format!(
-                "marker {name} has the same coordinates in all {} samples",
-                whole.samples
-            ),
+            format!("marker {name} has the same coordinates in all {whole} samples"),
             "export the recording again, or remove the flight",
         );
     }
-    if still as f64 > REPEATED_FRACTION * pairs as f64
-        && moves_by(&track, 1) > resolution(&track) * FROZEN_STEPS
-    {
-        return fault(
+    let (detail, correction) = match repeated(&track, FROZEN_DISTANCE)? {
+        Repeated::Often { still, pairs } => (
             format!("marker {name} repeats its coordinates in {still} of {pairs} intervals"),
-            "keep only the samples at which the cameras recorded, or leave repeated cells empty",
-        );
+            "keep only the samples at which the cameras recorded, or leave repeated cells empty"
+                .to_owned(),
+        ),
+        Repeated::Once { first, last, usual } => (
+            format!(
+                "marker {name} stays at the same coordinates from t = {:.3} s to {:.3} s, where it moves by {usual:.2} m otherwise",
+                this.times[first], this.times[last]
+            ),
+            format!("leave the cells of {name} empty there"),
+        ),
+    };
+    fault(detail, &correction)
+}
+
+/// Values that a recording repeats although they change elsewhere.
+pub enum Repeated {
+    /// In `still` of `pairs` intervals.
+    Often { still: usize, pairs: usize },
+    /// From the sample `first` to the sample `last`; they change by `usual` in that time elsewhere.
+    Once {
+        first: usize,
+        last: usize,
+        usual: f64,
+    },
+}
+
+/// How `track`, entries of (index of the sample, values), repeats its values; `None` if it does not, or changes by less
+/// than `least` elsewhere.
+pub fn repeated(track: &[(usize, [f64; 3])], least: f64) -> Option<Repeated> {
+    let (runs, still) = runs(track);
+    let pairs = track.len().saturating_sub(1);
+    let step = FROZEN_STEPS * resolution(track);
+    if still as f64 > REPEATED_FRACTION * pairs as f64 && moves_by(track, 1) > step {
+        return Some(Repeated::Often { still, pairs });
     }
     let longest = runs.into_iter().max_by_key(|run| run.samples)?;
     if longest.samples < FROZEN_SAMPLES {
         return None;
     }
-    let usual = moves_by(&track, longest.samples - 1);
-    if usual < FROZEN_DISTANCE.max(FROZEN_STEPS * resolution(&track)) {
-        return None;
-    }
+    let usual = moves_by(track, longest.samples - 1);
     let (first, last) = (longest.start, longest.start + longest.samples - 1);
-    fault(
-        format!(
-            "marker {name} stays at the same coordinates from t = {:.3} s to {:.3} s, where it moves by {usual:.2} m otherwise",
-            this.times[track[first].0], this.times[track[last].0]
-        ),
-        &format!("leave the cells of {name} empty there"),
-    )
+    (usual >= least.max(step)).then(|| Repeated::Once {
+        first: track[first].0,
+        last: track[last].0,
+        usual,
+    })
 }
 
 /// Runs of identical positions, and the number of intervals within them. `track` contains (index of the sample,

@@ -6,11 +6,12 @@ use flight::throw::ThrownModel;
 use model_spec::compose::Instrument;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
+use super::records::{self, Repeated};
 use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
 use dataset::statistics::median_of;
 use dataset::{
-    ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, Reading, Sensor, SensorKind, attitude,
+    ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, Reading, SPEEDS, Sensor, SensorKind, attitude,
 };
 
 /// Minimum number of samples at the limit, beyond the second number of times the longest run of another value: coarsely
@@ -20,6 +21,8 @@ const SATURATED: (usize, usize) = (5, 3);
 /// Maximum relative difference of the apparent from a known unit: motions of the axis turn at another rate than the
 /// spin.
 const UNIT_ERROR: f64 = 0.5;
+/// The same of speeds: their units are nearer to one another, and wind may halve a speed.
+const SPEED_UNIT_ERROR: f64 = 0.08;
 /// Maximum angle by which a direction may turn in the body from sample to sample, rad: nearly half a turn.
 const MAX_TURN: f64 = 2.5;
 /// Minimum share of what turns in the mean square of the angular velocity across its mean direction; the rest is noise.
@@ -45,8 +48,12 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     let mut faults = Vec::new();
     let mut channel = 0;
     for sensor in &dataset.sensors {
+        if !matches!(sensor.kind, SensorKind::Summary(_)) {
+            let each = dataset.flights.iter();
+            faults.extend(each.filter_map(|flight| repeated(flight, (sensor, channel))));
+        }
         let found = match sensor.kind {
-            SensorKind::Instrument(Instrument::Speed) | SensorKind::Summary(_) => None,
+            SensorKind::Summary(_) => None,
             SensorKind::Instrument(instrument) => {
                 faults.extend(saturated(dataset, (sensor, channel)));
                 let found = unit(dataset, instrument, (sensor, channel)).filter(|unit| *unit > 0);
@@ -132,12 +139,62 @@ fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<Data
     faults
 }
 
+/// Fault of a flight in which a sensor repeats its readings, or shows zeros in between.
+fn repeated(flight: &Flight, (sensor, channel): (&Sensor, usize)) -> Option<DataFault> {
+    let rows = flight.readings.iter().enumerate();
+    let track = rows.filter_map(|(sample, row)| {
+        let [x, y, z, _] = (*row.get(channel)?)?;
+        Some((sample, [x, y, z]))
+    });
+    let track: Vec<(usize, [f64; 3])> = track.collect();
+    // A body at rest before its start and after its end shows the same, as it should.
+    let same = |a: &(usize, [f64; 3]), b: &(usize, [f64; 3])| a.1 == b.1;
+    let rest = track
+        .first()
+        .map_or(0, |at| track.iter().take_while(|own| same(own, at)).count());
+    let track = &track[rest.saturating_sub(1)..];
+    let rest = track.last().map_or(0, |at| {
+        track.iter().rev().take_while(|own| same(own, at)).count()
+    });
+    let track = &track[..track.len() - rest.saturating_sub(1)];
+    let name = &sensor.name;
+    let zeros = track.iter().filter(|(_, reading)| *reading == [0.0; 3]);
+    let zeros = zeros.count();
+    let is_dropout = zeros >= 2 && 2 * zeros < track.len();
+    let (detail, correction) = match records::repeated(track, 0.0) {
+        _ if is_dropout => (
+            format!(
+                "{name} is exactly zero in {zeros} samples, as where dropouts are written as zeros"
+            ),
+            "leave the cells of readings that are missing empty",
+        ),
+        Some(Repeated::Often { still, pairs }) => (
+            format!("{name} repeats its readings in {still} of {pairs} intervals"),
+            "keep only the samples at which the sensor recorded, or leave repeated cells empty",
+        ),
+        Some(Repeated::Once { first, last, .. }) => (
+            format!(
+                "{name} stays at the same reading from t = {:.3} s to {:.3} s, and changes otherwise",
+                flight.times[first], flight.times[last]
+            ),
+            "leave these cells empty",
+        ),
+        None => return None,
+    };
+    Some(DataFault::new(
+        flight,
+        FaultKind::Frozen,
+        detail,
+        correction,
+    ))
+}
+
 /// Units in which an instrument may record; the first is that of a dataset.
 fn units(instrument: Instrument) -> &'static [(&'static str, f64)] {
     match instrument {
         Instrument::Gyroscope => &ANGULAR_RATES,
         Instrument::Accelerometer => &ACCELERATIONS,
-        Instrument::Speed => &[],
+        Instrument::Speed => &SPEEDS,
     }
 }
 
@@ -147,12 +204,13 @@ fn why(instrument: Instrument) -> &'static str {
         Instrument::Accelerometer => {
             "only in this unit do the readings show the centripetal acceleration that the measured rates give at its place"
         }
-        _ => "the readings follow the motion of the body only in this unit",
+        Instrument::Gyroscope => "the readings follow the motion of the body only in this unit",
+        Instrument::Speed => "only in this unit are the readings those of the measured path",
     }
 }
 
-/// Index among [`units`] of the one that is near the median of what the flights show; `None` if the mechanics of the
-/// body do not tell it.
+/// Index among [`units`] of the one that is nearest to the median of what the flights show; `None` if none is near, or the
+/// mechanics of the body do not tell it.
 fn unit(
     dataset: &Dataset,
     instrument: Instrument,
@@ -160,7 +218,10 @@ fn unit(
 ) -> Option<usize> {
     let flights = dataset.flights.iter();
     let found = match instrument {
-        Instrument::Speed => None,
+        Instrument::Speed => {
+            let apparent = |own| super::path_speed::apparent_unit(dataset, own, channel);
+            median_of(flights.filter_map(apparent))
+        }
         Instrument::Gyroscope => median_of(flights.filter_map(|own| apparent_unit(own, channel))),
         Instrument::Accelerometer => {
             let (gyroscope, rates) = gyroscope(dataset)?;
@@ -173,9 +234,14 @@ fn unit(
             median_of(flights.filter_map(apparent))
         }
     }?;
-    let is_near = |unit: f64| (found / unit - 1.0).abs() < UNIT_ERROR;
-    let mut known = units(instrument).iter();
-    known.position(|(_, unit)| is_near(*unit))
+    let error = |unit: f64| (found / unit - 1.0).abs();
+    let known = units(instrument).iter().map(|(_, unit)| error(*unit));
+    let nearest = known.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let limit = match instrument {
+        Instrument::Speed => SPEED_UNIT_ERROR,
+        _ => UNIT_ERROR,
+    };
+    (nearest.1 < limit).then_some(nearest.0)
 }
 
 /// Another unit than the stated one in which an instrument may have recorded.
@@ -200,7 +266,9 @@ impl OtherUnit {
     pub fn undetermined(dataset: &Dataset) -> Vec<Self> {
         let (mut found, mut channel) = (Vec::new(), 0);
         for sensor in &dataset.sensors {
+            // A speed alone determines too little for a trial.
             if let SensorKind::Instrument(instrument) = sensor.kind
+                && instrument != Instrument::Speed
                 && unit(dataset, instrument, (sensor, channel)).is_none()
             {
                 let others = 1..units(instrument).len();
@@ -225,7 +293,8 @@ impl OtherUnit {
         let (sensor, (unit, _)) = (&self.sensor, self.unit);
         let (key, si) = match self.instrument {
             Instrument::Accelerometer => ("acceleration", "m/s²"),
-            _ => ("angular_rate", "rad/s"),
+            Instrument::Gyroscope => ("angular_rate", "rad/s"),
+            Instrument::Speed => ("speed", "m/s"),
         };
         let detail = format!("{sensor} seems to be in {unit}: {why}");
         let correction = format!("state `{key} = \"{unit}\"` in [recording], or write {si}");

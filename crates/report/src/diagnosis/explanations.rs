@@ -1,6 +1,6 @@
 //! Accepted explanations and the throw that would best distinguish them.
 
-use diagnose::{Estimate, Explanation, ExplanationEffect, ProposedThrow, Verdict};
+use diagnose::{Estimate, Explanation, ExplanationEffect, ProposedThrow, Report, Verdict};
 use model_spec::compose::ModelTree;
 
 use super::{DiagnosisPage, words};
@@ -73,20 +73,26 @@ fn card(page: &DiagnosisPage<'_>, explanation: &Explanation, name: &str) -> Html
         }
     }
     card.table(&estimates(explanation));
-    card.note(share(explanation));
+    card.note(share(page.report, explanation));
     card
 }
 
 /// Sentences on what the explanation takes away, and what remains.
-pub(super) fn share(explanation: &Explanation) -> String {
+pub(super) fn share(report: &Report, explanation: &Explanation) -> String {
     let is_joint = explanation.effects.len() > 1;
     let with = if is_joint { "them" } else { "it" };
     let mut explained = String::new();
     if explanation.explained_fraction > 0.0 {
+        let left = explanation.remaining_rms_m;
+        let left = match &report.lack_of_fit {
+            Some(test) if !test.has_length => {
+                format!("{} times the noise", significant(left / test.noise_m, 2))
+            }
+            _ => format!("{} rms", millimetres(left)),
+        };
         explained = format!(
-            " It explains {} of the misfit; {} rms remain beyond the noise.",
-            percent(explanation.explained_fraction),
-            millimetres(explanation.remaining_rms_m)
+            " It explains {} of the misfit; {left} remain beyond the noise.",
+            percent(explanation.explained_fraction)
         );
     }
     let remaining = match &explanation.strongest_remaining {

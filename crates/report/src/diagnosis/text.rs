@@ -15,7 +15,7 @@ pub fn text(report: &Report) -> String {
     for (i, explanation) in report.explanations.iter().enumerate() {
         text += &format!("\nexplanation {}: {}\n", i + 1, explanation.name());
         text += &explanations::estimates(explanation).text(usize::MAX);
-        text += &wrapped(&explanations::share(explanation));
+        text += &wrapped(&explanations::share(report, explanation));
     }
     text.push('\n');
     let mut sentences: Vec<String> = Vec::new();
