@@ -143,10 +143,10 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         ),
         (None, Some(name)) => {
             let model = load(name, &super::names(&options.with))?;
-            // Equations stated outright also state where they start, and a body may.
+            // Equations stated outright also state where they start, and a body may: at a height, at rest.
             let is_at_rest = |body: &Body| {
-                let mut velocity = body.velocity.iter();
-                velocity.all(|state| model.states[*state].value == 0.0)
+                let mut motion = body.position.iter().chain(&body.velocity);
+                motion.all(|state| model.states[*state].value == 0.0)
             };
             ensure!(
                 is_thrown

@@ -170,7 +170,16 @@ fn units_conventions_and_saturation_of_sensors_are_named() {
         assert!(error.contains(expected), "{error}");
     };
     let degrees = |rate: [f64; 3]| rate.map(f64::to_degrees);
-    refused(sensed(degrees, unturned), "angular_rate = \"deg/s\"");
+    refused(
+        sensed(degrees, unturned),
+        "state `angular_rate = \"deg/s\"`",
+    );
+    // Radians that were stated to be degrees.
+    let radians = |rate: [f64; 3]| rate.map(f64::to_radians);
+    refused(
+        sensed(radians, unturned),
+        "remove `angular_rate = \"deg/s\"`",
+    );
     let conjugate = |[w, x, y, z]: [f64; 4]| [w, -x, -y, -z];
     refused(sensed(same, conjugate), "attitude = \"inertial_to_body\"");
     let last = |[w, x, y, z]: [f64; 4]| [x, y, z, w];

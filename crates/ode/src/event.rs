@@ -203,6 +203,9 @@ impl<'a, X: StateVector> Event<'a, X> {
     }
 }
 
+/// Values nearer to 0 are 0 at the start of a step: a body on the ground does not fall by the error of the interpolation.
+const AT_ZERO: f64 = 1e-8;
+
 /// Appends to `found` the fractions of a step, in increasing order, at which `value`, a function of the fraction, falls
 /// from positive to 0 or below; if `from_zero`, also the start of the step if the function is 0 there and falls.
 pub(crate) fn falling_zeros(
@@ -212,8 +215,9 @@ pub(crate) fn falling_zeros(
     found: &mut Vec<f64>,
 ) {
     let points = with_dips(&mut value);
-    if from_zero && points[0].1 == 0.0 && points[1].1 < 0.0 {
-        found.push(0.0);
+    if from_zero && (-AT_ZERO..=0.0).contains(&points[0].1) {
+        let leaves = points.iter().find(|point| point.1.abs() > AT_ZERO);
+        found.extend(leaves.filter(|point| point.1 < 0.0).map(|_| 0.0));
     }
     for pair in points.windows(2) {
         let [before, after] = [pair[0], pair[1]];
@@ -357,6 +361,9 @@ mod tests {
         assert_eq!(find(true, |s| -s * s), [0.0]);
         assert_eq!(find(false, |s| -s * s), []);
         assert_eq!(find(true, |s| s * s), []);
+        // The error of the interpolation, before the start of a rocket.
+        assert_eq!(find(true, |s| s.powi(3) - 1e-9 * s), []);
+        assert_eq!(find(true, |s| -1e-9 - s), [0.0]);
         // A corner, as of a speed.
         let cusp = find(false, |s| (s - 0.3012).abs() - 1e-3);
         assert!((cusp[0] - 0.3002).abs() < 1e-12, "{cusp:?}");

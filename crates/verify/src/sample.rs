@@ -188,7 +188,7 @@ pub(crate) fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
     let (params, coefficients) = (model.params.iter(), model.coefficients.iter());
     let inputs = model.inputs.iter();
     let mut point = Point {
-        time: random.between(0.0, 2.0),
+        time: time(random.between(0.0, 1.0)),
         params: params.map(|c| size_varied(c, random)).collect(),
         coefficients: coefficients.map(|c| coefficient(c, random)).collect(),
         inputs: inputs
@@ -202,6 +202,16 @@ pub(crate) fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
         ahead(model, &mut point, random);
     }
     point
+}
+
+/// Time since the start, s, by a number from 0 to 1: mostly within two seconds, and in a quarter of the cases later, up to
+/// two minutes: motors burn out, and parachutes open.
+fn time(part: f64) -> f64 {
+    const EARLY: (f64, f64) = (0.75, 2.0);
+    if part < EARLY.0 {
+        return EARLY.1 * part / EARLY.0;
+    }
+    EARLY.1 * 60f64.powf((part - EARLY.0) / (1.0 - EARLY.0))
 }
 
 /// Whether a point is to be one of a typical flight: every second one, if the model states which axis of the body points

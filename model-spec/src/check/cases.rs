@@ -28,6 +28,12 @@ impl Checker<'_> {
             }
             titles.insert(&check.title, span);
             let (mut settings, mut expectations) = (Vec::new(), Vec::new());
+            let is_expectation = |part: &CheckPart| matches!(part, CheckPart::Expect { .. });
+            if !check.parts.iter().any(is_expectation) {
+                let fault = Diagnostic::new(Kind::Missing, span, "the case expects nothing");
+                self.report(fault.help("state `expect NAME = VALUE within ERROR;`"));
+            }
+            let mut set: HashMap<&str, Span> = HashMap::new();
             for part in &check.parts {
                 match part {
                     CheckPart::Set {
@@ -36,6 +42,9 @@ impl Checker<'_> {
                         unit,
                         span,
                     } => {
+                        if let Some(first) = set.insert(&name.text, *span) {
+                            self.second(&format!("`set {}`", name.text), first, *span);
+                        }
                         let setting = self.setting(name, value, unit.as_ref(), *span);
                         settings.extend(setting.into_iter().flatten());
                     }

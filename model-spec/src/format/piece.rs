@@ -166,7 +166,7 @@ impl Structure {
                     && before > 0
                     && pieces[before - 1].text == "angular"
                     && self.begins[before - 1];
-                of_body || ["within", "return", "or", "by"].contains(&last.text)
+                of_body || ["within", "return", "or", "by", "turned"].contains(&last.text)
             }
             _ => false,
         }

@@ -57,6 +57,11 @@ fn white_space_is_laid_out_by_rules() {
             "param k = 2 /rad;param h = 3/d;",
             "param k = 2 /rad;\nparam h = 3/d;\n",
         ),
+        (
+            "a negative angle",
+            "frame R = C turned -12 deg about 1;",
+            "frame R = C turned -12 deg about 1;\n",
+        ),
         ("an inch", "let a = 5 in-b;", "let a = 5 in - b;\n"),
         (
             "ranges",

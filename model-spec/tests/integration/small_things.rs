@@ -75,14 +75,26 @@ fn a_frame_is_turned_by_a_number_a_parameter_or_a_coefficient() {
             "frame A = N turned 3 m about 1;",
             "a frame is turned by an angle",
         ),
-        (
-            "frame A = N turned (q0, q1, q2, q3);",
-            "`by quaternion (q0, q1, q2, q3)`",
-        ),
     ] {
         let found = refused(statement);
         assert!(found.contains(message), "{found}");
     }
+}
+
+#[test]
+fn a_frame_by_a_quaternion_is_spelt_for_whoever_turns_by_one() {
+    let text = format!("{BODY}frame A = N turned (q0, q1, q2, q3);");
+    let error = from_text("probe.hyz", &text, &[]).expect_err("no angle");
+    let told = format!("{error:?}{error}");
+    assert!(told.contains("by quaternion (q0, q1, q2, q3)"), "{told}");
+}
+
+#[test]
+fn a_case_expects_something_and_sets_nothing_twice() {
+    let nothing = refused("check \"c\" { set z = 1 m; }");
+    assert!(nothing.contains("the case expects nothing"), "{nothing}");
+    let twice = refused("check \"c\" { set z = 1 m; set z = 2 m; expect vz = 0 m/s within 1 m/s; }");
+    assert!(twice.contains("`set z`"), "{twice}");
 }
 
 #[test]

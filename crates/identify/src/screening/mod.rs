@@ -13,12 +13,13 @@ mod template;
 #[cfg(test)]
 mod tests;
 mod track;
+mod units;
 
 use flight::parallel;
 
 use self::free_fall::FreeFall;
-pub(crate) use self::sensors::OtherUnit;
 use self::track::Track;
+pub(crate) use self::units::OtherUnit;
 use crate::error::{DataFault, ExcludedFlight, FaultKind, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;

@@ -3,44 +3,28 @@
 //! body with the angular velocity.
 
 use flight::throw::ThrownModel;
-use model_spec::compose::Instrument;
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion};
 
 use super::records::{self, Repeated};
+use super::units::{OtherUnit, unit, why};
 use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
-use dataset::statistics::median_of;
-use dataset::{
-    ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, Reading, SPEEDS, Sensor, SensorKind, attitude,
-};
+use dataset::{Dataset, Flight, Reading, Sensor, SensorKind, attitude};
 
 /// Minimum number of samples at the limit, beyond the second number of times the longest run of another value: coarsely
 /// rounded readings repeat all their values.
 const SATURATED: (usize, usize) = (5, 3);
 
-/// Maximum relative difference of the apparent from a known unit: motions of the axis turn at another rate than the
-/// spin.
-const UNIT_ERROR: f64 = 0.5;
-/// The same of speeds: their units are nearer to one another, and wind may halve a speed.
-const SPEED_UNIT_ERROR: f64 = 0.08;
-/// Maximum angle by which a direction may turn in the body from sample to sample, rad: nearly half a turn.
-const MAX_TURN: f64 = 2.5;
-/// Minimum share of what turns in the mean square of the angular velocity across its mean direction; the rest is noise.
-const MIN_TURNING: f64 = 0.4;
 /// The angular momentum under another convention of quaternions must turn less, in squares: by this ratio, and by no more
 /// than this part of its own square, as moments turn some bodies.
 const STEADIER_BY: (f64, f64) = (4.0, 0.15);
-
-/// Least rotation over which forces on the body average out in it, rad, and least centripetal acceleration that tells the
-/// unit of an accelerometer, m/s².
-const MIN_TURNED: f64 = 20.0;
-const MIN_CENTRIPETAL: f64 = 10.0;
 
 /// Rotation between two compared angular momenta, rad: enough to see a direction that turns with the body.
 const COMPARED_ROTATION: f64 = 1.5;
 
 /// Least ratio of a flat body's third moment of inertia to the others: it is thrown spinning about the third axis.
 const FLAT: f64 = 1.2;
+
 pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     if dataset.sensors.is_empty() {
         return Vec::new();
@@ -56,7 +40,8 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
             SensorKind::Summary(_) => None,
             SensorKind::Instrument(instrument) => {
                 faults.extend(saturated(dataset, (sensor, channel)));
-                let found = unit(dataset, instrument, (sensor, channel)).filter(|unit| *unit > 0);
+                let found = unit(dataset, instrument, (sensor, channel));
+                let found = found.filter(|unit| unit.index > 0);
                 found.map(|unit| {
                     OtherUnit::new(sensor, channel, instrument, unit).fault(why(instrument))
                 })
@@ -79,7 +64,7 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     faults
 }
 
-fn series(flight: &Flight, channel: usize) -> impl Iterator<Item = (f64, Reading)> {
+pub fn series(flight: &Flight, channel: usize) -> impl Iterator<Item = (f64, Reading)> {
     let samples = flight.times.iter().zip(&flight.readings);
     samples.filter_map(move |(time, row)| Some((*time, (*row.get(channel)?)?)))
 }
@@ -189,126 +174,8 @@ fn repeated(flight: &Flight, (sensor, channel): (&Sensor, usize)) -> Option<Data
     ))
 }
 
-/// Units in which an instrument may record; the first is that of a dataset.
-fn units(instrument: Instrument) -> &'static [(&'static str, f64)] {
-    match instrument {
-        Instrument::Gyroscope => &ANGULAR_RATES,
-        Instrument::Accelerometer => &ACCELERATIONS,
-        Instrument::Speed => &SPEEDS,
-    }
-}
-
-/// Why readings are in another unit than the stated one.
-fn why(instrument: Instrument) -> &'static str {
-    match instrument {
-        Instrument::Accelerometer => {
-            "only in this unit do the readings show the centripetal acceleration that the measured rates give at its place"
-        }
-        Instrument::Gyroscope => "the readings follow the motion of the body only in this unit",
-        Instrument::Speed => "only in this unit are the readings those of the measured path",
-    }
-}
-
-/// Index among [`units`] of the one that is nearest to the median of what the flights show; `None` if none is near, or the
-/// mechanics of the body do not tell it.
-fn unit(
-    dataset: &Dataset,
-    instrument: Instrument,
-    (sensor, channel): (&Sensor, usize),
-) -> Option<usize> {
-    let flights = dataset.flights.iter();
-    let found = match instrument {
-        Instrument::Speed => {
-            let apparent = |own| super::path_speed::apparent_unit(dataset, own, channel);
-            median_of(flights.filter_map(apparent))
-        }
-        Instrument::Gyroscope => median_of(flights.filter_map(|own| apparent_unit(own, channel))),
-        Instrument::Accelerometer => {
-            let (gyroscope, rates) = gyroscope(dataset)?;
-            let of_rates = unit(dataset, Instrument::Gyroscope, (gyroscope, rates));
-            if sensor.position_is_unknown || of_rates.is_some_and(|unit| unit > 0) {
-                return None;
-            }
-            let place = Vector3::from(sensor.position);
-            let apparent = |own| apparent_unit_of_forces(own, [channel, rates], place);
-            median_of(flights.filter_map(apparent))
-        }
-    }?;
-    let error = |unit: f64| (found / unit - 1.0).abs();
-    let known = units(instrument).iter().map(|(_, unit)| error(*unit));
-    let nearest = known.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let limit = match instrument {
-        Instrument::Speed => SPEED_UNIT_ERROR,
-        _ => UNIT_ERROR,
-    };
-    (nearest.1 < limit).then_some(nearest.0)
-}
-
-/// Another unit than the stated one in which an instrument may have recorded.
-pub struct OtherUnit {
-    sensor: String,
-    channel: usize,
-    instrument: Instrument,
-    unit: &'static (&'static str, f64),
-}
-
-impl OtherUnit {
-    fn new(sensor: &Sensor, channel: usize, instrument: Instrument, unit: usize) -> Self {
-        Self {
-            sensor: sensor.name.clone(),
-            channel,
-            instrument,
-            unit: &units(instrument)[unit],
-        }
-    }
-
-    /// The other units of the instruments whose unit the mechanics of the body do not determine.
-    pub fn undetermined(dataset: &Dataset) -> Vec<Self> {
-        let (mut found, mut channel) = (Vec::new(), 0);
-        for sensor in &dataset.sensors {
-            // A speed alone determines too little for a trial.
-            if let SensorKind::Instrument(instrument) = sensor.kind
-                && instrument != Instrument::Speed
-                && unit(dataset, instrument, (sensor, channel)).is_none()
-            {
-                let others = 1..units(instrument).len();
-                found.extend(others.map(|unit| Self::new(sensor, channel, instrument, unit)));
-            }
-            channel += sensor.kind.channels().len();
-        }
-        found
-    }
-
-    /// The flight with readings converted from this unit.
-    pub fn converted(&self, mut flight: Flight) -> Flight {
-        let readings = flight.readings.iter_mut();
-        for reading in readings.filter_map(|row| row.get_mut(self.channel)?.as_mut()) {
-            *reading = reading.map(|part| part * self.unit.1);
-        }
-        flight
-    }
-
-    /// Message and correction, given how the unit was found.
-    fn fault(&self, why: &str) -> (FaultKind, (String, String)) {
-        let (sensor, (unit, _)) = (&self.sensor, self.unit);
-        let (key, si) = match self.instrument {
-            Instrument::Accelerometer => ("acceleration", "m/s²"),
-            Instrument::Gyroscope => ("angular_rate", "rad/s"),
-            Instrument::Speed => ("speed", "m/s"),
-        };
-        let detail = format!("{sensor} seems to be in {unit}: {why}");
-        let correction = format!("state `{key} = \"{unit}\"` in [recording], or write {si}");
-        (FaultKind::SensorUnit, (detail, correction))
-    }
-
-    /// Faults of the flights with readings in this unit, given how it was found.
-    pub fn faults(&self, dataset: &Dataset, why: &str) -> Vec<DataFault> {
-        of_flights(dataset, self.channel, self.fault(why))
-    }
-}
-
 /// A fault of every flight with readings in a channel.
-fn of_flights(
+pub fn of_flights(
     dataset: &Dataset,
     channel: usize,
     (kind, (detail, correction)): (FaultKind, (String, String)),
@@ -317,71 +184,6 @@ fn of_flights(
     let with = flights.filter(|flight| series(flight, channel).next().is_some());
     with.map(|flight| DataFault::new(flight, kind, &*detail, &*correction))
         .collect()
-}
-
-/// The first gyroscope and its channel.
-fn gyroscope(dataset: &Dataset) -> Option<(&Sensor, usize)> {
-    let mut channel = 0;
-    for sensor in &dataset.sensors {
-        if sensor.kind == SensorKind::Instrument(Instrument::Gyroscope) {
-            return Some((sensor, channel));
-        }
-        channel += sensor.kind.channels().len();
-    }
-    None
-}
-
-/// Unit of the recorded specific forces, m/s²: the mean centripetal acceleration at `place`, across the mean axis of the
-/// spin, over their mean; forces on the body turn with it there, and have none. `None` if it turns too little.
-fn apparent_unit_of_forces(
-    flight: &Flight,
-    channels: [usize; 2],
-    place: Vector3<f64>,
-) -> Option<f64> {
-    let rows = flight.times.iter().zip(&flight.readings);
-    let samples = rows.filter_map(|(time, row)| {
-        let [force, rate] = channels.map(|own| row.get(own).copied().flatten());
-        let ([x, y, z, _], [p, q, r, _]) = (force?, rate?);
-        Some((*time, Vector3::new(x, y, z), Vector3::new(p, q, r)))
-    });
-    let samples: Vec<(f64, Vector3<f64>, Vector3<f64>)> = samples.collect();
-    let count = samples.len() as f64;
-    let rate = samples.iter().map(|own| own.2).sum::<Vector3<f64>>() / count;
-    let turned = rate.norm() * (samples.last()?.0 - samples[0].0);
-    let across = |vector: Vector3<f64>| vector - rate * (rate.dot(&vector) / rate.norm_squared());
-    let read = across(samples.iter().map(|own| own.1).sum::<Vector3<f64>>() / count);
-    let centripetal = samples.iter().map(|own| own.2.cross(&own.2.cross(&place)));
-    let expected = across(centripetal.sum::<Vector3<f64>>() / count);
-    let is_determined = turned > MIN_TURNED && expected.norm() > MIN_CENTRIPETAL;
-    is_determined.then(|| expected.norm_squared() / expected.dot(&read))
-}
-
-/// Unit of the recorded rates, rad/s: the rate at which their part across the mean turns, over their magnitude; `None`
-/// if noise or the interval hide it.
-fn apparent_unit(flight: &Flight, channel: usize) -> Option<f64> {
-    let rates: Vec<(f64, Vector3<f64>)> = series(flight, channel)
-        .map(|(time, [x, y, z, _])| (time, Vector3::new(x, y, z)))
-        .collect();
-    let mean = rates.iter().map(|(_, rate)| rate).sum::<Vector3<f64>>() / rates.len() as f64;
-    let axis = mean.normalize();
-    let across = rates.iter().map(|(_, rate)| rate - axis * axis.dot(rate));
-    let across: Vec<Vector3<f64>> = across.collect();
-    let product = |lag: usize| {
-        let pairs = across.iter().zip(across.iter().skip(lag));
-        pairs.map(|(a, b)| a.dot(b)).sum::<f64>() / across.len().saturating_sub(lag) as f64
-    };
-    // A part that turns by φ per sample has the mean products P cos φ and P cos 2φ with the next samples, free of
-    // noise: cos φ = x with 2x² − 1 = (cos 2φ/cos φ) x.
-    let next = product(1);
-    let ratio = product(2) / next;
-    let cosine = (ratio + next.signum() * (ratio * ratio + 8.0).sqrt()) / 4.0;
-    let turned = cosine.clamp(-1.0, 1.0).acos();
-    let is_turning = next / cosine > MIN_TURNING * product(0);
-    if !is_turning || turned > MAX_TURN {
-        return None;
-    }
-    let interval = (rates.last()?.0 - rates[0].0) / (rates.len() - 1) as f64;
-    Some(turned / interval / mean.norm())
 }
 
 /// Message and correction for another convention of quaternions; `None` if the angular momentum does not tell.

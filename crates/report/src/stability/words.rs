@@ -116,7 +116,9 @@ pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
             ]
         }
     };
-    if d.gyroscopic != 0.0 && d.flight == FlightDirection::AcrossAxis {
+    // The closed form is an expansion for a spin that is fast beside the stiffness and the damping.
+    let is_fast = d.gyroscopic.powi(2) > d.pitching.abs() + d.damping.powi(2);
+    if is_fast && d.flight == FlightDirection::AcrossAxis {
         lines.push(format!(
             "in closed form: nutation {:.3} rad/s, decay {:.4} 1/s; the plane rolls at {:+.4} rad/s (Crowther and Potts)",
             c.nutation, c.nutation_decay, c.roll_rate
