@@ -219,9 +219,14 @@ pub(crate) fn falling_zeros(
         let leaves = points.iter().find(|point| point.1.abs() > AT_ZERO);
         found.extend(leaves.filter(|point| point.1 < 0.0).map(|_| 0.0));
     }
-    for pair in points.windows(2) {
+    for (index, pair) in points.windows(2).enumerate() {
         let [before, after] = [pair[0], pair[1]];
-        if before.1 > 0.0 && after.1 <= 0.0 {
+        let rests = || {
+            let was_above = points[..=index].iter().any(|point| point.1 > AT_ZERO);
+            let is_below = points[index..].iter().any(|point| point.1 < -AT_ZERO);
+            from_zero && !was_above && !is_below
+        };
+        if before.1 > 0.0 && after.1 <= 0.0 && !rests() {
             let width = location_width(t, h);
             found.push(first_past_root(
                 &mut value,
@@ -364,6 +369,8 @@ mod tests {
         // The error of the interpolation, before the start of a rocket.
         assert_eq!(find(true, |s| s.powi(3) - 1e-9 * s), []);
         assert_eq!(find(true, |s| -1e-9 - s), [0.0]);
+        assert_eq!(find(true, |s| 1e-10 * (9.0 * s).sin()), []);
+        assert_eq!(find(true, |s| 1e-3 * (4.0 * s).sin()).len(), 1);
         // A corner, as of a speed.
         let cusp = find(false, |s| (s - 0.3012).abs() - 1e-3);
         assert!((cusp[0] - 0.3002).abs() < 1e-12, "{cusp:?}");

@@ -43,7 +43,7 @@ impl Checker<'_> {
                         span,
                     } => {
                         if let Some(first) = set.insert(&name.text, *span) {
-                            self.second(&format!("`set {}`", name.text), first, *span);
+                            self.second(&format!("set {}", name.text), first, *span);
                         }
                         let setting = self.setting(name, value, unit.as_ref(), *span);
                         settings.extend(setting.into_iter().flatten());

@@ -93,7 +93,8 @@ fn a_frame_by_a_quaternion_is_spelt_for_whoever_turns_by_one() {
 fn a_case_expects_something_and_sets_nothing_twice() {
     let nothing = refused("check \"c\" { set z = 1 m; }");
     assert!(nothing.contains("the case expects nothing"), "{nothing}");
-    let twice = refused("check \"c\" { set z = 1 m; set z = 2 m; expect vz = 0 m/s within 1 m/s; }");
+    let twice =
+        refused("check \"c\" { set z = 1 m; set z = 2 m; expect vz = 0 m/s within 1 m/s; }");
     assert!(twice.contains("`set z`"), "{twice}");
 }
 

@@ -212,8 +212,9 @@ pub fn text(model: &str, found: &Found) -> String {
 
 fn at_instants(flight: &[Instant]) -> Table {
     let step = (flight.len() / INSTANTS).max(1);
+    // A body that hardly spins has no nutation.
     let number = |instant: &Instant, of: fn(&Mode) -> f64| {
-        format!("{:.3}", nutation(&instant.modes).map_or(f64::NAN, of))
+        nutation(&instant.modes).map_or("–".to_owned(), |mode| format!("{:.3}", of(mode)))
     };
     Table::of(flight.iter().step_by(step).chain(flight.last()))
         .number("time, s", |instant| format!("{:.3}", instant.time))
