@@ -202,7 +202,7 @@ fn units_conventions_and_saturation_of_sensors_are_named() {
     let held = stuck(|sample| sample % 2 == 0);
     refused(
         sensed(held, unturned),
-        "imu repeats its readings in 79 of 158",
+        "imu repeats its readings in 78 of 157",
     );
     let dropped = |rate: [f64; 3]| match count.replace(count.get() + 1) % 10 {
         3 => [0.0; 3],
@@ -219,7 +219,7 @@ fn the_unit_of_a_speed_is_named_by_the_path() {
     let model = Model::load("ball").unwrap();
     let release = model.release("serve").unwrap();
     let flight = model.fly(&release).unwrap();
-    let times: Vec<f64> = (0..60).map(|i| f64::from(i) / 120.0).collect();
+    let times: Vec<f64> = (0..60).map(|i| f64::from(i) / 150.0).collect();
     let state = |names: [&str; 3], t: f64| names.map(|name| flight.state(name, t).unwrap());
     let seen = |t: &f64| vec![Some(state(["x", "y", "z"], *t))];
     let positions: Vec<_> = times.iter().map(seen).collect();

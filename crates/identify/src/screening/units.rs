@@ -142,7 +142,11 @@ impl OtherUnit {
                 && instrument != Instrument::Speed
                 && unit(dataset, instrument, (sensor, channel)).is_none()
             {
-                let others = UnitOfReadings::all(instrument).skip(1);
+                // Each trial is a fit, and the motion itself tells the unit of most gyroscopes.
+                let is_tried = |unit: &UnitOfReadings| {
+                    instrument == Instrument::Accelerometer || !unit.is_converted_twice
+                };
+                let others = UnitOfReadings::all(instrument).skip(1).filter(is_tried);
                 found.extend(others.map(|unit| Self::new(sensor, channel, instrument, unit)));
             }
             channel += sensor.kind.channels().len();
