@@ -7,6 +7,7 @@ use super::{Flight, Marker};
 use crate::input_error::InputError;
 use crate::pose::distance;
 use crate::statistics::median_of;
+use crate::takes::LengthUnit;
 
 const MAX_COORDINATE: f64 = 1e4;
 /// Maximum duration of a measured flight, s; equal to the limit for simulated flights.
@@ -16,6 +17,8 @@ const MAX_SPEED: f64 = 1e3;
 /// Maximum plausible ratio of the measured distance between two markers to their distance according to `dataset.toml`.
 const MAX_STRETCH: f64 = 30.0;
 const MIN_REJECTED: f64 = 1.0;
+/// Maximum relative deviation of such a ratio from that of a unit that is named.
+const UNIT_TOLERANCE: f64 = 0.03;
 /// Maximum product of the samples of a flight and its markers and sensor channels; it bounds the memory used.
 const MAX_VALUES: usize = 1 << 23;
 
@@ -71,14 +74,22 @@ pub(super) fn check_flight(
             "a marker that is seen at least once",
         );
     }
-    if let Some((apart, declared)) = first_distance(flight, markers)
-        && apart > MAX_STRETCH * declared
-        && apart > MIN_REJECTED
-    {
-        let [first, second] = [0, 1].map(|marker: usize| &markers[marker].name);
-        let found =
-            format!("{first} and {second} {apart:.3} m apart, declared {declared:.3} m apart");
-        return wrong(found, "positions in metres (millimetres given for metres?)");
+    if let Some((apart, declared)) = distance_of(flight, markers, 1) {
+        let is_far = apart > MAX_STRETCH * declared && apart > MIN_REJECTED;
+        let unit = unit_of(apart / declared);
+        if is_far || is_in_feet(flight, markers) {
+            let [first, second] = [0, 1].map(|marker: usize| &markers[marker].name);
+            let found =
+                format!("{first} and {second} {apart:.3} m apart, declared {declared:.3} m apart");
+            let note = match unit {
+                None => "another unit given for metres?".to_owned(),
+                Some(unit) => format!(
+                    "{} given for metres? then length = \"{unit}\" of [recording]",
+                    unit.plural()
+                ),
+            };
+            return wrong(found, &format!("positions in metres ({note})"));
+        }
     }
     match speed(flight) {
         Some(speed) if speed > MAX_SPEED => wrong(
@@ -89,14 +100,28 @@ pub(super) fn check_flight(
     }
 }
 
-/// Median measured distance between the first two markers, and their distance according to `dataset.toml`, m.
-fn first_distance(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
-    let [first, second, ..] = markers else {
-        return None;
-    };
+/// Unit in which lengths are `ratio` times as many as in metres.
+fn unit_of(ratio: f64) -> Option<LengthUnit> {
+    use LengthUnit::{Centimetre, Foot, Inch, Millimetre};
+    let fits = |unit: &LengthUnit| (ratio * unit.metres() - 1.0).abs() < UNIT_TOLERANCE;
+    [Foot, Inch, Centimetre, Millimetre].into_iter().find(fits)
+}
+
+/// Whether at least three markers are all as far from the first as they were in feet, which noise does not explain.
+fn is_in_feet(flight: &Flight, markers: &[Marker]) -> bool {
+    let pairs = (1..markers.len()).filter_map(|second| distance_of(flight, markers, second));
+    let units: Vec<_> = pairs
+        .map(|(apart, declared)| unit_of(apart / declared))
+        .collect();
+    units.len() > 1 && units.iter().all(|unit| *unit == Some(LengthUnit::Foot))
+}
+
+/// Median measured distance of a marker from the first one, and their distance according to `dataset.toml`, m.
+fn distance_of(flight: &Flight, markers: &[Marker], second: usize) -> Option<(f64, f64)> {
+    let declared = distance(markers.first()?.position, markers.get(second)?.position);
     let seen = flight.positions.iter();
-    let measured = median_of(seen.filter_map(|row| Some(distance(row[0]?, row[1]?))))?;
-    Some((measured, distance(first.position, second.position)))
+    let measured = median_of(seen.filter_map(|row| Some(distance(row[0]?, row[second]?))))?;
+    Some((measured, declared))
 }
 
 /// Median speed of the first marker, m/s, over samples half a flight apart; `None` if the flight is too short.
@@ -111,4 +136,23 @@ fn speed(flight: &Flight) -> Option<f64> {
         Some(moved / (flight.times[i] - flight.times[i - half]))
     });
     median_of(speeds)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ratios_name_a_unit() {
+        for (ratio, unit) in [
+            (100.4, Some(LengthUnit::Centimetre)),
+            (39.2, Some(LengthUnit::Inch)),
+            (3.29, Some(LengthUnit::Foot)),
+            (995.0, Some(LengthUnit::Millimetre)),
+            (300.0, None),
+            (1.0, None),
+        ] {
+            assert_eq!(unit_of(ratio), unit, "{ratio}");
+        }
+    }
 }

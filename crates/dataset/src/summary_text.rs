@@ -71,8 +71,8 @@ fn of_dataset(dataset: &Dataset) -> Vec<Table<'_>> {
 /// Names and texts of the tables of summaries of a dataset. Lines without a flight are blank.
 pub(crate) fn tables(dataset: &Dataset) -> Vec<(String, String)> {
     let each = of_dataset(dataset).into_iter().map(|table| {
-        let headers = table.columns.iter().map(|(_, sensor)| cell(&sensor.name));
-        let mut text = headers.collect::<Vec<_>>().join(",");
+        let headers = table.columns.iter();
+        let mut text = header_line(headers.map(|(_, sensor)| sensor.name.as_str()));
         let mut line = 1;
         for (at, flight) in &table.rows {
             while line < *at {
@@ -91,8 +91,17 @@ pub(crate) fn tables(dataset: &Dataset) -> Vec<(String, String)> {
     each.collect()
 }
 
+/// First line of a table with these headers. A header alone is in quotes if spaces would make several of it.
+pub(crate) fn header_line<'h>(headers: impl Iterator<Item = &'h str>) -> String {
+    let cells: Vec<String> = headers.map(cell).collect();
+    match cells.as_slice() {
+        [one] if one.contains(' ') && !one.starts_with('"') => format!("\"{one}\""),
+        _ => cells.join(","),
+    }
+}
+
 /// A header as a field of a line of a table.
-pub(crate) fn cell(header: &str) -> String {
+fn cell(header: &str) -> String {
     match header.contains([',', '"', ';', '\t']) {
         true => format!("\"{}\"", header.replace('"', "\"\"")),
         false => header.to_owned(),

@@ -22,9 +22,19 @@ pub(crate) enum Quantity {
     Other,
 }
 
-const JOINTS: [char; 4] = ['_', ' ', '.', ':'];
+/// Characters between the label of a column name and what follows it.
+pub(crate) const JOINTS: [char; 4] = ['_', ' ', '.', ':'];
 
 impl Column {
+    /// Columns of a header, also those that have a meaning by their neighbours alone.
+    pub fn all(names: impl IntoIterator<Item = impl AsRef<str>>) -> Vec<Self> {
+        let names = names.into_iter().map(|name| name.as_ref().to_owned());
+        let names: Vec<String> = names.collect();
+        let mut columns: Vec<Self> = names.iter().map(|name| Self::parse(name)).collect();
+        crate::takes::neighbours::read(&names, &mut columns);
+        columns
+    }
+
     /// Splits a column name into label, quantity and unit.
     pub fn parse(name: &str) -> Self {
         let (bare, unit) = without_unit(name.trim());
@@ -47,6 +57,8 @@ impl Column {
                     Quantity::Time(time_unit)
                 });
             }
+            // Exports of ROS bags count nanoseconds.
+            "%time" => return named(Quantity::Time(Some(TimeUnit::Nanosecond))),
             "timeseconds" => return named(Quantity::Time(Some(TimeUnit::Second))),
             "frame" | "frame#" | "frame number" => return named(Quantity::Frame),
             _ => {}
@@ -73,7 +85,7 @@ impl Column {
 }
 
 /// Splits a column name with a unit at its end (`x_mm`, `x (mm)`, `x [mm]`) before the unit; `None` without one.
-fn without_unit(name: &str) -> (&str, Option<&str>) {
+pub(crate) fn without_unit(name: &str) -> (&str, Option<&str>) {
     for (open, close) in [('(', ')'), ('[', ']')] {
         if let Some(rest) = name.strip_suffix(close)
             && let Some(at) = rest.rfind(open)
@@ -110,6 +122,7 @@ mod tests {
             ("Time (ms)", "", Quantity::Time(Some(TimeUnit::Millisecond))),
             ("time [fortnights]", "", Quantity::Other),
             ("Frame", "", Quantity::Frame),
+            ("%time", "", Quantity::Time(Some(TimeUnit::Nanosecond))),
             ("x_m", "", Quantity::Coordinate(0, Some(LengthUnit::Metre))),
             ("m1_x", "m1", Quantity::Coordinate(0, None)),
             ("left rim Y", "left rim", Quantity::Coordinate(1, None)),

@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::takes::c3d::is_c3d;
 use crate::takes::columns::{Column, Quantity};
+use crate::takes::commented::with_bare_header;
 use crate::takes::{Fault, Location, separator, shown};
 
 /// File format of a recording.
@@ -66,7 +67,7 @@ impl Format {
             let expected = "a recording; a workbook is exported as CSV first";
             return Err(Fault::new(Location::Byte(0), "a ZIP archive", expected));
         }
-        let text = crate::takes::file::text(bytes)?;
+        let text = with_bare_header(crate::takes::file::text(bytes)?);
         let lines = || text.lines().zip(1..);
         let filled = |line: &str| !line.trim_matches([',', ';', '\t', ' ', '\r']).is_empty();
         let Some((first, line)) = lines().find(|(line, _)| filled(line) && !line.starts_with('#'))
@@ -114,7 +115,7 @@ fn by_columns(header: &str) -> Option<Format> {
     let names: Vec<&str> = names
         .filter(|name| separator != ' ' || !name.is_empty())
         .collect();
-    let columns: Vec<Column> = names.iter().map(|name| Column::parse(name)).collect();
+    let columns: Vec<Column> = Column::all(&names);
     let has = |wanted: fn(&Quantity) -> bool| columns.iter().any(|c| wanted(&c.quantity));
     if has(|q| matches!(q, Quantity::Quaternion(_))) {
         Some(Format::Poses)

@@ -8,11 +8,13 @@
 mod axes;
 pub(crate) mod c3d;
 mod columns;
+mod commented;
 mod error;
 pub(crate) mod file;
 mod format;
 mod import;
 mod layout;
+mod neighbours;
 mod options;
 mod quaternion;
 mod read;
@@ -30,7 +32,8 @@ pub use format::Format;
 pub(crate) use format::is_digitised;
 pub use import::{Followed, ImportOptions, ImportedTake, up_of};
 pub(crate) use layout::{
-    Attitude, Clock, Layout, MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, Tracks, unique,
+    Attitude, Clock, Layout, MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, TrackColumns, Tracks,
+    unique,
 };
 pub use options::ReadOptions;
 pub(crate) use quaternion::product;

@@ -24,6 +24,8 @@ pub enum TimeUnit {
     Second,
     /// Millisecond, 0.001 s.
     Millisecond,
+    /// Nanosecond, 1e-9 s.
+    Nanosecond,
 }
 
 /// Minimum length of an abbreviated unit name, characters; a shorter text counts only if it is the symbol of a unit.
@@ -65,6 +67,17 @@ impl LengthUnit {
         Self::ALL[self as usize].2
     }
 
+    /// Name of several of the unit, as in `millimetres`.
+    pub(crate) fn plural(self) -> &'static str {
+        match self {
+            Self::Metre => "metres",
+            Self::Centimetre => "centimetres",
+            Self::Millimetre => "millimetres",
+            Self::Inch => "inches",
+            Self::Foot => "feet",
+        }
+    }
+
     /// Symbol of the unit: `m`, `cm`, `mm`, `in` or `ft`.
     pub fn symbol(self) -> &'static str {
         Self::ALL[self as usize].1
@@ -92,6 +105,7 @@ impl TimeUnit {
         match text.trim().to_ascii_lowercase().as_str() {
             "s" | "sec" | "second" | "seconds" => Some(Self::Second),
             "ms" | "msec" | "millisecond" | "milliseconds" => Some(Self::Millisecond),
+            "ns" | "nsec" | "nanosecond" | "nanoseconds" => Some(Self::Nanosecond),
             _ => None,
         }
     }
@@ -101,6 +115,7 @@ impl TimeUnit {
         match self {
             Self::Second => 1.0,
             Self::Millisecond => 1e-3,
+            Self::Nanosecond => 1e-9,
         }
     }
 }

@@ -332,7 +332,34 @@ fn markers_declared_in_metres_and_tracked_in_millimetres() {
     let table =
         "t,centre_x,centre_y,centre_z,rim_x,rim_y,rim_z\n0,0,0,0,100,0,0\n0.1,0,0,0,99,1,0\n";
     let error = read_both(manifest.as_bytes(), table.as_bytes()).expect_err("millimetres");
-    insta::assert_snapshot!(error, @"a.csv: found centre and rim 99.503 m apart, declared 0.100 m apart, expected positions in metres (millimetres given for metres?)");
+    insta::assert_snapshot!(error, @"a.csv: found centre and rim 99.503 m apart, declared 0.100 m apart, expected positions in metres (millimetres given for metres? then length = \"mm\" of [recording])");
+    for (x, note) in [
+        (
+            "10",
+            "(centimetres given for metres? then length = \"cm\" of [recording])",
+        ),
+        (
+            "3.937",
+            "(inches given for metres? then length = \"in\" of [recording])",
+        ),
+        ("20", "(another unit given for metres?)"),
+    ] {
+        let table = format!("t,centre_x,centre_y,centre_z,rim_x,rim_y,rim_z\n0,0,0,0,{x},0,0\n");
+        let error = read_both(manifest.as_bytes(), table.as_bytes()).expect_err(x);
+        assert!(error.contains(note), "{error}");
+    }
+    // A distance alone may be 3.28 times too large by chance, several are not.
+    let table = "t,centre_x,centre_y,centre_z,rim_x,rim_y,rim_z\n0,0,0,0,0.328,0,0\n";
+    read_both(manifest.as_bytes(), table.as_bytes()).expect("too few markers");
+    let third = "[[markers]]\nname = \"left\"\nposition = [0, 0.1, 0]\n[[flights]]";
+    let manifest = manifest.replace("[[flights]]", third);
+    let table = "t,centre_x,centre_y,centre_z,rim_x,rim_y,rim_z,left_x,left_y,left_z\n\
+        0,0,0,0,0.328,0,0,0,0.328,0\n";
+    let error = read_both(manifest.as_bytes(), table.as_bytes()).expect_err("feet");
+    assert!(
+        error.contains("(feet given for metres? then length = \"ft\""),
+        "{error}"
+    );
 }
 
 #[test]

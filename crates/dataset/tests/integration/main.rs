@@ -7,6 +7,7 @@ mod inputs;
 mod made_noise;
 mod recording;
 mod sensors;
+mod shots;
 mod summaries;
 mod support;
 mod synthesize;

@@ -1,9 +1,10 @@
 //! Reader of tables with one header line that names every column: points, poses, and files of DLTdv8.
 
 use crate::takes::columns::{Column, Quantity};
+use crate::takes::neighbours::euler;
 use crate::takes::{
     Attitude, Clock, Fault, Format, Layout, LengthUnit, Location, ReadOptions, Sheet, Take,
-    TimeUnit, Tracks, is_digitised, listed, separator, shown,
+    TimeUnit, TrackColumns, Tracks, is_digitised, listed, separator, shown,
 };
 
 /// Label used for a point or body whose column names contain no label.
@@ -86,8 +87,10 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
 impl Header {
     fn new(sheet: &Sheet<'_>) -> Result<Self, Fault> {
         let mut header = Self::default();
-        for (index, name) in sheet.cells().iter().enumerate().take(sheet.filled()) {
-            let column = Column::parse(name);
+        let mut names = sheet.cells();
+        names.truncate(sheet.filled());
+        let columns = Column::all(&names);
+        for (index, (name, column)) in names.iter().zip(columns).enumerate() {
             let twice = |before: Option<usize>| {
                 let found = || format!("a second column {}", shown(name));
                 let fault = |_| Err(sheet.fault(index, found(), "each column once"));
@@ -117,7 +120,30 @@ impl Header {
                 Quantity::Other => header.others.push(shown(name)),
             }
         }
+        header.refuse_euler(sheet, &names)?;
         Ok(header)
+    }
+
+    /// An error if the attitude of a body is given by Euler angles alone: their order and their axes are not stated.
+    fn refuse_euler(&self, sheet: &Sheet<'_>, names: &[String]) -> Result<(), Fault> {
+        let tracks = &self.tracks.list;
+        let has_quaternion =
+            |(_, track): &(String, TrackColumns)| track.quaternion.iter().any(Option::is_some);
+        if tracks.iter().any(has_quaternion) {
+            return Ok(());
+        }
+        for (index, name) in names.iter().enumerate() {
+            let Some(body) = euler(name) else {
+                continue;
+            };
+            let is_own = |(label, _): &(String, TrackColumns)| label.eq_ignore_ascii_case(&body);
+            if tracks.len() == 1 || tracks.iter().any(is_own) {
+                let found = format!("the Euler angle {}", shown(name));
+                let expected = "quaternions, as columns qw, qx, qy and qz: export quaternions, as the order of Euler angles differs between programs";
+                return Err(sheet.fault(index, found, expected));
+            }
+        }
+        Ok(())
     }
 
     fn clock(

@@ -172,6 +172,63 @@ fn tables() {
     assert!(error.contains("one decimal mark"), "{error}");
 }
 
+/// A table of poses of one motion with other names of its columns.
+fn poses_named(header: &str) -> String {
+    let poses = support::poses();
+    let (_, rows) = poses.split_once('\n').expect("a header");
+    format!("{header}\n{rows}")
+}
+
+#[test]
+fn headers_of_other_programs() {
+    let header = support::poses();
+    let header = header.lines().next().expect("a header");
+    assert_eq!(header, "t_s,x_m,y_m,z_m,qw,qx,qy,qz");
+    let mut chosen = options();
+    chosen.length = Some(LengthUnit::Metre);
+    chosen.time = Some(TimeUnit::Second);
+    for names in [
+        "timestamp,tx,ty,tz,qw,qx,qy,qz",
+        "# timestamp,tx,ty,tz,qw,qx,qy,qz",
+        "# of a robot\n# timestamp,tx,ty,tz,qw,qx,qy,qz",
+        "%time,p.position.x,p.position.y,p.position.z,p.orientation.w,p.orientation.x,p.orientation.y,p.orientation.z",
+        "t,x,y,z,w,i,j,k",
+    ] {
+        let take = read(poses_named(names).as_bytes(), &chosen).expect(names);
+        assert_eq!(take.format, Format::Poses, "{names}");
+        has_times(&take, 0.0);
+        has_poses(&take, if names.starts_with('%') { "p" } else { "body" });
+    }
+    let points = "t_s,X1,Y1,Z1,X2,Y2,Z2\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n";
+    let take = read(points.as_bytes(), &chosen).expect(points);
+    let labels: Vec<&str> = take.points.iter().map(|own| own.label.as_str()).collect();
+    assert_eq!(labels, ["1", "2"]);
+    assert_eq!(take.points[1].positions[0], Some([4.0, 5.0, 6.0]));
+    chosen.time = None;
+    let bag = "%time,p.x,p.y,p.z\n1700000000000000000,1,2,3\n1700000000500000000,1,2,3\n";
+    let take = read(bag.as_bytes(), &chosen).expect(bag);
+    assert!((take.times[1] - take.times[0] - 0.5).abs() < 1e-6);
+}
+
+#[test]
+fn euler_angles_are_refused() {
+    let mut chosen = options();
+    chosen.length = Some(LengthUnit::Metre);
+    for header in [
+        "t_s,x,y,z,roll,pitch,yaw",
+        "t_s,disc_x,disc_y,disc_z,disc_roll_deg,disc_pitch_deg,disc_yaw_deg",
+        "t_s,disc_x,disc_y,disc_z,Roll (deg),Pitch (deg),Yaw (deg)",
+    ] {
+        let text = format!("{header}\n0,1,2,3,4,5,6\n");
+        let error = read(text.as_bytes(), &chosen).expect_err(header);
+        assert!(error.contains("export quaternions"), "{error}");
+    }
+    let with_both = "t_s,x,y,z,qw,qx,qy,qz,roll\n0,1,2,3,1,0,0,0,5\n";
+    let take = read(with_both.as_bytes(), &chosen).expect(with_both);
+    let noted = take.notes.iter().any(|note| note.contains("roll"));
+    assert!(noted, "{:?}", take.notes);
+}
+
 #[test]
 fn units_come_from_the_file_or_an_option() {
     let bare = "t,m1_x,m1_y,m1_z\n0,1,2,3\n10,2,2,3\n";

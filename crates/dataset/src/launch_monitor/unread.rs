@@ -1,0 +1,72 @@
+//! Columns of an export that hold numbers and are not read.
+
+use super::Row;
+use super::cells::Numerals;
+use super::columns::{Used, unit_of};
+use super::headers::read_header;
+use crate::summary::{SummaryQuantity as Q, SummaryUnit};
+use crate::words::shown;
+
+/// Headers of columns that number the shots, as the keys of headers.
+const COUNTS: [&str; 7] = ["", "shot", "shotno", "shotnumber", "no", "number", "id"];
+
+/// Lines on what is not read: the columns of numbers, each with the option that would read it, and speed and spin.
+pub(super) fn unread(
+    headers: &[String],
+    units: &[String],
+    rows: &[Row],
+    used: &[Used],
+    numerals: Numerals,
+) -> Vec<String> {
+    let mut lines = Vec::new();
+    for (place, header) in headers.iter().enumerate() {
+        let (key, by_header) = read_header(header);
+        let cells = rows.iter().filter_map(|(_, cells)| cells.get(place));
+        let is_number = |cell: &String| numerals.number(cell).is_some();
+        let filled = cells.clone().filter(|cell| !cell.is_empty()).count();
+        let numbers = cells.filter(|cell| is_number(cell)).count();
+        let is_read = used.iter().any(|own| own.reads(place));
+        if is_read || COUNTS.contains(&&*key) || numbers == 0 || 2 * numbers < filled {
+            continue;
+        }
+        let unit = unit_of(units, place).or(by_header);
+        lines.push(format!(
+            "{}: not read; {}",
+            shown(header),
+            option(header, unit, used)
+        ));
+    }
+    let has = |quantity: Q| used.iter().any(|own| own.column.quantity == quantity);
+    let missing = match (has(Q::Speed), has(Q::Spin)) {
+        (false, false) => "neither the speed nor the spin of the release is read",
+        (false, true) => "the speed of the release is not read",
+        (true, false) => "the spin of the release is not read",
+        (true, true) => return lines,
+    };
+    lines.push(missing.to_owned());
+    lines
+}
+
+/// Text on the option that would read a column, with the quantities of the unit that it states.
+fn option(header: &str, unit: Option<SummaryUnit>, used: &[Used]) -> String {
+    let Some(unit) = unit else {
+        return format!("--column \"{header}=IS,UNIT\" reads it");
+    };
+    let is_free = |quantity: &Q| {
+        quantity.dimension() == unit.dimension()
+            && used.iter().all(|own| own.column.quantity != *quantity)
+    };
+    let free: Vec<&str> = Q::all().filter(is_free).map(Q::name).collect();
+    let of_unit = match free.as_slice() {
+        [] => "IS".to_owned(),
+        [one] => (*one).to_owned(),
+        _ => {
+            return format!(
+                "--column \"{header}=IS,{}\" reads it, where IS is {}",
+                unit.name(),
+                free.join(" or ")
+            );
+        }
+    };
+    format!("--column \"{header}={of_unit},{}\" reads it", unit.name())
+}
