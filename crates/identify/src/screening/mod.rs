@@ -7,6 +7,7 @@ mod handling;
 mod loads;
 mod mirror;
 mod path_speed;
+mod readings;
 mod records;
 mod sensors;
 mod template;

@@ -5,6 +5,7 @@
 use flight::throw::ThrownModel;
 use nalgebra::{Matrix3, UnitQuaternion};
 
+use super::readings::{of_flights, series};
 use super::records::{self, Repeated};
 use super::units::{OtherUnit, unit, why};
 use crate::error::{DataFault, FaultKind};
@@ -62,11 +63,6 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
         channel += sensor.kind.channels().len();
     }
     faults
-}
-
-pub fn series(flight: &Flight, channel: usize) -> impl Iterator<Item = (f64, Reading)> {
-    let samples = flight.times.iter().zip(&flight.readings);
-    samples.filter_map(move |(time, row)| Some((*time, (*row.get(channel)?)?)))
 }
 
 /// Inertia tensor of the body in body axes, kg m²; `None` for a point mass, or if the model says nothing about it.
@@ -172,18 +168,6 @@ fn repeated(flight: &Flight, (sensor, channel): (&Sensor, usize)) -> Option<Data
         detail,
         correction,
     ))
-}
-
-/// A fault of every flight with readings in a channel.
-pub fn of_flights(
-    dataset: &Dataset,
-    channel: usize,
-    (kind, (detail, correction)): (FaultKind, (String, String)),
-) -> Vec<DataFault> {
-    let flights = dataset.flights.iter();
-    let with = flights.filter(|flight| series(flight, channel).next().is_some());
-    with.map(|flight| DataFault::new(flight, kind, &*detail, &*correction))
-        .collect()
 }
 
 /// Message and correction for another convention of quaternions; `None` if the angular momentum does not tell.

@@ -4,7 +4,7 @@
 use model_spec::compose::Instrument;
 use nalgebra::Vector3;
 
-use super::sensors::{of_flights, series};
+use super::readings::{of_flights, series};
 use crate::error::{DataFault, FaultKind};
 use dataset::statistics::median_of;
 use dataset::{ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, SPEEDS, Sensor, SensorKind};
