@@ -224,7 +224,7 @@ pub(crate) fn falling_zeros(
         let rests = || {
             let was_above = points[..=index].iter().any(|point| point.1 > AT_ZERO);
             let is_below = points[index..].iter().any(|point| point.1 < -AT_ZERO);
-            from_zero && !was_above && !is_below
+            from_zero && points[0].1 == 0.0 && !was_above && !is_below
         };
         if before.1 > 0.0 && after.1 <= 0.0 && !rests() {
             let width = location_width(t, h);

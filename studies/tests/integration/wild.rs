@@ -66,7 +66,7 @@ fn hidden_physics_leaves_a_misfit_that_a_diagnosis_explains() {
     let found = run("hidden side_force_by_spin, severe, 20 flights", 1);
     let diagnosed = found[0].diagnosed.as_ref().expect("a diagnosis");
     assert!(
-        diagnosed.misfit.is_some_and(|misfit| misfit > 1.0),
+        diagnosed.misfit.is_some_and(|misfit| misfit.ratio > 1.0),
         "{diagnosed:?}"
     );
     assert!(
