@@ -20,7 +20,7 @@ fn values(made: &ImportedShots, wanted: SummaryQuantity) -> Vec<Option<f64>> {
         dataset::SensorKind::Summary(own) if own.quantity == wanted => Some((place, own.to_si())),
         _ => None,
     });
-    let (place, to_si) = own.expect(wanted.name());
+    let (place, to_si) = own.unwrap_or_else(|| panic!("{}", wanted.name()));
     let flights = made.dataset.flights.iter();
     let values = flights.map(|flight| flight.readings[0][place].map(|own| own[0] * to_si));
     values.collect()
@@ -31,7 +31,7 @@ fn are_near(made: &ImportedShots, quantity: SummaryQuantity, wanted: &[f64]) {
     let found = values(made, quantity);
     assert_eq!(found.len(), wanted.len());
     for (found, wanted) in found.iter().zip(wanted) {
-        let found = found.expect(quantity.name());
+        let found = found.unwrap_or_else(|| panic!("{}", quantity.name()));
         assert!(
             (found - wanted).abs() < 1e-9 * wanted.abs().max(1.0),
             "{}: {found} {wanted}",
