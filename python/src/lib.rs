@@ -19,6 +19,8 @@ mod work;
 use std::ffi::OsString;
 
 use pyo3::prelude::*;
+#[cfg(feature = "as-tested")]
+use shared_features as _;
 
 /// Runs the program `hyzer` with its arguments, the first of which is its name, and returns the exit status.
 #[pyfunction]

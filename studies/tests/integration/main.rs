@@ -16,3 +16,5 @@ mod spoiled;
 mod takes;
 mod throws;
 mod wild;
+
+use shared_features as _;
