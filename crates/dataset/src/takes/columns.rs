@@ -26,15 +26,6 @@ pub(crate) enum Quantity {
 pub(crate) const JOINTS: [char; 4] = ['_', ' ', '.', ':'];
 
 impl Column {
-    /// Columns of a header, also those that have a meaning by their neighbours alone.
-    pub fn all(names: impl IntoIterator<Item = impl AsRef<str>>) -> Vec<Self> {
-        let names = names.into_iter().map(|name| name.as_ref().to_owned());
-        let names: Vec<String> = names.collect();
-        let mut columns: Vec<Self> = names.iter().map(|name| Self::parse(name)).collect();
-        crate::takes::neighbours::read(&names, &mut columns);
-        columns
-    }
-
     /// Splits a column name into label, quantity and unit.
     pub fn parse(name: &str) -> Self {
         let (bare, unit) = without_unit(name.trim());

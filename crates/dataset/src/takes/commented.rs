@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use crate::takes::columns::{Column, Quantity};
+use crate::takes::neighbours::columns_of;
 use crate::takes::separator;
 
 /// The text with its header line bare, where that stands behind a `#` above a first row of numbers: the last comment
@@ -36,7 +37,7 @@ pub(super) fn with_bare_header(text: Cow<'_, str>) -> Cow<'_, str> {
 /// Whether a line names columns of coordinates.
 fn has_coordinates(line: &str) -> bool {
     let names: Vec<&str> = line.split(separator(line)).map(str::trim).collect();
-    let columns = Column::all(names.into_iter().filter(|name| !name.is_empty()));
+    let columns = columns_of(names.into_iter().filter(|name| !name.is_empty()));
     let axes = |column: &&Column| matches!(column.quantity, Quantity::Coordinate(..));
     columns.iter().filter(axes).count() >= 3
 }

@@ -5,6 +5,7 @@ use std::fmt;
 use crate::takes::c3d::is_c3d;
 use crate::takes::columns::{Column, Quantity};
 use crate::takes::commented::with_bare_header;
+use crate::takes::neighbours::columns_of;
 use crate::takes::{Fault, Location, separator, shown};
 
 /// File format of a recording.
@@ -115,7 +116,7 @@ fn by_columns(header: &str) -> Option<Format> {
     let names: Vec<&str> = names
         .filter(|name| separator != ' ' || !name.is_empty())
         .collect();
-    let columns: Vec<Column> = Column::all(&names);
+    let columns: Vec<Column> = columns_of(&names);
     let has = |wanted: fn(&Quantity) -> bool| columns.iter().any(|c| wanted(&c.quantity));
     if has(|q| matches!(q, Quantity::Quaternion(_))) {
         Some(Format::Poses)

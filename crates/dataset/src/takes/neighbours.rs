@@ -28,8 +28,17 @@ fn taken_apart(name: &str) -> (String, String) {
     }
 }
 
+/// Columns of a header, also those that have a meaning by their neighbours alone.
+pub(crate) fn columns_of(names: impl IntoIterator<Item = impl AsRef<str>>) -> Vec<Column> {
+    let names = names.into_iter().map(|name| name.as_ref().to_owned());
+    let names: Vec<String> = names.collect();
+    let mut columns: Vec<Column> = names.iter().map(|name| Column::parse(name)).collect();
+    read(&names, &mut columns);
+    columns
+}
+
 /// Gives columns that have no meaning of their own the one that all of their group have together.
-pub(super) fn read(names: &[String], columns: &mut [Column]) {
+fn read(names: &[String], columns: &mut [Column]) {
     let apart: Vec<(String, String)> = names.iter().map(|name| taken_apart(name)).collect();
     let place = |label: &str, last: &str| {
         let is_own = |own: &(String, String)| own.0 == label && own.1 == last;
@@ -135,7 +144,7 @@ mod tests {
     use Quantity::{Coordinate, Other, Quaternion};
 
     fn read(header: &str) -> Vec<(String, Quantity)> {
-        let columns = Column::all(header.split(','));
+        let columns = columns_of(header.split(','));
         let each = columns.into_iter();
         each.map(|own| (own.label, own.quantity)).collect()
     }

@@ -1,7 +1,7 @@
 //! Reader of tables with one header line that names every column: points, poses, and files of DLTdv8.
 
-use crate::takes::columns::{Column, Quantity};
-use crate::takes::neighbours::euler;
+use crate::takes::columns::Quantity;
+use crate::takes::neighbours::{columns_of, euler};
 use crate::takes::{
     Attitude, Clock, Fault, Format, Layout, LengthUnit, Location, ReadOptions, Sheet, Take,
     TimeUnit, TrackColumns, Tracks, is_digitised, listed, separator, shown,
@@ -89,7 +89,7 @@ impl Header {
         let mut header = Self::default();
         let mut names = sheet.cells();
         names.truncate(sheet.filled());
-        let columns = Column::all(&names);
+        let columns = columns_of(&names);
         for (index, (name, column)) in names.iter().zip(columns).enumerate() {
             let twice = |before: Option<usize>| {
                 let found = || format!("a second column {}", shown(name));
