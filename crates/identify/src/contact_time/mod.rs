@@ -30,9 +30,9 @@ const MAX_LEAD: usize = 2;
 /// jump: noise exceeds it at one sample in 10⁹, and deviations due to the model grow smoothly.
 const GAIN: (f64, f64) = (60.0, 4.0);
 
-/// Minimum jump of the velocity, m/s: a body that has fallen half a millimetre is faster. A force or a distortion that sets
-/// in turns the path without a jump.
-const MIN_JUMP: f64 = 0.1;
+/// Minimum jump of the velocity, m/s: a body that has fallen an eighth of a millimetre is faster. A distortion that sets in
+/// turns the path without a jump; slight touches are as weak as 0.1 m/s.
+const MIN_JUMP: f64 = 0.05;
 
 /// Number of later samples that confirm a jump, and the ratio by which they increase its gain if this rose abruptly
 /// (see `OUTLIER_GAIN`). Samples after an outlier do not increase its gain.

@@ -116,18 +116,3 @@ fn a_smooth_departure_is_no_contact() {
     });
     assert!(found.iter().all(Option::is_none), "{found:?}");
 }
-
-#[test]
-fn a_weak_force_that_sets_in_is_no_contact() {
-    let found = contacts(("disc", "backhand"), Corruption::default(), |_, flight| {
-        let mut flight = flight.clone();
-        for (time, row) in flight.times.iter().zip(&mut flight.positions) {
-            let since = (time - 0.28).max(0.0);
-            for point in row.iter_mut().flatten() {
-                point[2] += 0.5 * 0.3 * since * since;
-            }
-        }
-        flight
-    });
-    assert!(found.iter().all(Option::is_none), "{found:?}");
-}
