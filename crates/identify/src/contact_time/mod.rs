@@ -30,10 +30,6 @@ const MAX_LEAD: usize = 2;
 /// jump: noise exceeds it at one sample in 10⁹, and deviations due to the model grow smoothly.
 const GAIN: (f64, f64) = (60.0, 4.0);
 
-/// Minimum jump of the velocity, m/s: a body that has fallen an eighth of a millimetre is faster. A distortion that sets in
-/// turns the path without a jump; slight touches are as weak as 0.1 m/s.
-const MIN_JUMP: f64 = 0.05;
-
 /// Number of later samples that confirm a jump, and the ratio by which they increase its gain if this rose abruptly
 /// (see `OUTLIER_GAIN`). Samples after an outlier do not increase its gain.
 const CONFIRMING: (usize, f64) = (2, 1.2);
@@ -78,12 +74,10 @@ pub fn contact_time(
         let is_seen = |sample: &usize| !rows[sample - trajectory.first].is_empty();
         match departure(&tests, tried.clone(), is_seen)? {
             Departure::Contact(found) => {
-                let jump = jump_of_velocity(trajectory, &observations, found);
                 // A deviation that grows earlier was part of the fit: it is the misfit of a wrong model.
-                let is_in_time = found.contact + MAX_LEAD >= sought.start;
-                return (is_in_time && jump.norm() > MIN_JUMP).then_some(Onset {
+                return (found.contact + MAX_LEAD >= sought.start).then(|| Onset {
                     sample: found.contact,
-                    jump,
+                    jump: jump_of_velocity(trajectory, &observations, found),
                 });
             }
             Departure::Outlier(sample) => {
