@@ -77,7 +77,7 @@ pub fn read_shots(file: &Path, options: &ShotOptions) -> Result<ImportedShots, I
     import_shots(file, &bytes, options)
 }
 
-/// Reads a launch monitor's export: a header, where there is one a row of units in brackets, and a row per shot.
+/// Reads a launch monitor's export: a header, where there is one a row of units, and a row per shot.
 ///
 /// # Errors
 /// [`InputError`] if no column is recognised, a unit is not stated, or the table is faulty.

@@ -54,10 +54,7 @@ impl Column {
             "frame" | "frame#" | "frame number" => return named(Quantity::Frame),
             _ => {}
         }
-        let (label, last) = match bare.rfind(JOINTS) {
-            Some(at) => (&bare[..at], &bare[at + 1..]),
-            None => ("", bare),
-        };
+        let (label, last) = at_joint(bare);
         let last = last.to_ascii_lowercase();
         let coordinate = ["x", "y", "z"].iter().position(|axis| *axis == last);
         let component = ["qw", "qx", "qy", "qz"].iter().position(|q| *q == last);
@@ -73,6 +70,12 @@ impl Column {
             quantity,
         }
     }
+}
+
+/// Label of a column name without unit, and what follows it.
+pub(crate) fn at_joint(bare: &str) -> (&str, &str) {
+    bare.rfind(JOINTS)
+        .map_or(("", bare), |at| (&bare[..at], &bare[at + 1..]))
 }
 
 /// Splits a column name with a unit at its end (`x_mm`, `x (mm)`, `x [mm]`) before the unit; `None` without one.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::takes::columns::{Column, Quantity, without_unit};
+use crate::takes::columns::{Column, JOINTS, Quantity, at_joint, without_unit};
 use crate::takes::unit::LengthUnit;
 
 /// Ends of names of a quaternion, scalar part first, beside positions of the same body.
@@ -21,11 +21,8 @@ const EULER: [&str; 3] = ["roll", "pitch", "yaw"];
 
 /// A name without unit, in lower case, before and after its last joint.
 fn taken_apart(name: &str) -> (String, String) {
-    let (bare, _) = without_unit(name.trim());
-    match bare.rfind(super::columns::JOINTS) {
-        Some(at) => (bare[..at].to_owned(), bare[at + 1..].to_ascii_lowercase()),
-        None => (String::new(), bare.to_ascii_lowercase()),
-    }
+    let (label, last) = at_joint(without_unit(name.trim()).0);
+    (label.to_owned(), last.to_ascii_lowercase())
 }
 
 /// Columns of a header, also those that have a meaning by their neighbours alone.
@@ -50,9 +47,8 @@ fn read(names: &[String], columns: &mut [Column]) {
             ends.iter().map(|end| place(label, end)).collect()
         };
         let has_axes = group(&AXES).is_some();
-        let translation = group(&["tx", "ty", "tz"]).filter(|_| !has_axes);
-        if let Some(places) = &translation {
-            position(names, columns, places, label);
+        if !has_axes && let Some(places) = group(&["tx", "ty", "tz"]) {
+            position(names, columns, &places, label);
         }
         if has_axes && let Some(places) = group(&SCALAR_FIRST) {
             attitude(columns, &places, label);
@@ -60,7 +56,7 @@ fn read(names: &[String], columns: &mut [Column]) {
         let own = |word: &str| {
             let before = label.len().checked_sub(word.len())?;
             let matches = label.get(before..)?.eq_ignore_ascii_case(word);
-            let is_whole = before == 0 || label[..before].ends_with(super::columns::JOINTS);
+            let is_whole = before == 0 || label[..before].ends_with(JOINTS);
             (matches && is_whole).then(|| &label[..before])
         };
         for (of_position, of_attitude) in PAIRS {
@@ -77,7 +73,7 @@ fn read(names: &[String], columns: &mut [Column]) {
                 all.collect()
             });
             if let (Some(positions), Some(quaternion)) = (places, group(&BY_AXES)) {
-                let body = before.trim_end_matches(super::columns::JOINTS);
+                let body = before.trim_end_matches(JOINTS);
                 position(names, columns, &positions, body);
                 attitude(columns, &quaternion, body);
             }
@@ -131,10 +127,7 @@ pub(super) fn euler(name: &str) -> Option<String> {
         .iter()
         .find_map(|unit| bare.strip_suffix(unit))
         .unwrap_or(bare);
-    let (label, last) = match bare.rfind(super::columns::JOINTS) {
-        Some(at) => (&bare[..at], &bare[at + 1..]),
-        None => ("", bare),
-    };
+    let (label, last) = at_joint(bare);
     EULER.contains(&last).then(|| label.to_owned())
 }
 
