@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::readings::sensors;
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight, SensorKind};
 
@@ -11,7 +12,8 @@ const CHORD: f64 = 0.2;
 /// Unit of the speeds in `channel`, m/s: the median ratio of the speed along the path to the reading. `None` where no
 /// positions are measured.
 pub fn apparent_unit(dataset: &Dataset, flight: &Flight, channel: usize) -> Option<f64> {
-    let places = of_poses(dataset);
+    let poses = sensors(dataset).filter(|(sensor, _)| sensor.kind == SensorKind::Pose);
+    let places: Vec<usize> = poses.map(|(_, channel)| channel).collect();
     let positions = |sample: usize| -> Vec<Option<Vector3<f64>>> {
         let markers = flight.positions[sample].iter().copied();
         let row = flight.readings.get(sample);
@@ -35,16 +37,4 @@ pub fn apparent_unit(dataset: &Dataset, flight: &Flight, channel: usize) -> Opti
         Some(median_of(speeds)? / read)
     });
     median_of(ratios.filter(|ratio| ratio.is_finite()).collect::<Vec<_>>())
-}
-
-/// Channels of the positions of poses.
-fn of_poses(dataset: &Dataset) -> Vec<usize> {
-    let (mut found, mut channel) = (Vec::new(), 0);
-    for sensor in &dataset.sensors {
-        if sensor.kind == SensorKind::Pose {
-            found.push(channel);
-        }
-        channel += sensor.kind.channels().len();
-    }
-    found
 }

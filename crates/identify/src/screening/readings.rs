@@ -1,7 +1,16 @@
 //! Readings of one channel of the sensors, and faults of all flights that have any.
 
 use crate::error::{DataFault, FaultKind};
-use dataset::{Dataset, Flight, Reading};
+use dataset::{Dataset, Flight, Reading, Sensor};
+
+/// The sensors, each with its first channel.
+pub fn sensors(dataset: &Dataset) -> impl Iterator<Item = (&Sensor, usize)> {
+    dataset.sensors.iter().scan(0, |next, sensor| {
+        let channel = *next;
+        *next += sensor.kind.channels().len();
+        Some((sensor, channel))
+    })
+}
 
 /// Times, s, and readings of a channel, where it has any.
 pub fn series(flight: &Flight, channel: usize) -> impl Iterator<Item = (f64, Reading)> {

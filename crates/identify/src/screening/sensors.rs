@@ -5,7 +5,7 @@
 use flight::throw::ThrownModel;
 use nalgebra::{Matrix3, UnitQuaternion};
 
-use super::readings::{of_flights, series};
+use super::readings::{of_flights, sensors, series};
 use super::records::{self, Repeated};
 use super::units::{OtherUnit, unit, why};
 use crate::error::{DataFault, FaultKind};
@@ -27,12 +27,8 @@ const COMPARED_ROTATION: f64 = 1.5;
 const FLAT: f64 = 1.2;
 
 pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
-    if dataset.sensors.is_empty() {
-        return Vec::new();
-    }
     let mut faults = Vec::new();
-    let mut channel = 0;
-    for sensor in &dataset.sensors {
+    for (sensor, channel) in sensors(dataset) {
         if !matches!(sensor.kind, SensorKind::Summary(_)) {
             let each = dataset.flights.iter();
             faults.extend(each.filter_map(|flight| repeated(flight, (sensor, channel))));
@@ -60,7 +56,6 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
                 .into_iter()
                 .flat_map(|found| of_flights(dataset, channel, found)),
         );
-        channel += sensor.kind.channels().len();
     }
     faults
 }

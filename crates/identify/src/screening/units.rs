@@ -4,7 +4,7 @@
 use model_spec::compose::Instrument;
 use nalgebra::Vector3;
 
-use super::readings::{of_flights, series};
+use super::readings::{of_flights, sensors, series};
 use crate::error::{DataFault, FaultKind};
 use dataset::statistics::median_of;
 use dataset::{ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, SPEEDS, Sensor, SensorKind};
@@ -135,8 +135,8 @@ impl OtherUnit {
 
     /// The other units of the instruments whose unit the mechanics of the body do not determine.
     pub fn undetermined(dataset: &Dataset) -> Vec<Self> {
-        let (mut found, mut channel) = (Vec::new(), 0);
-        for sensor in &dataset.sensors {
+        let mut found = Vec::new();
+        for (sensor, channel) in sensors(dataset) {
             // A speed alone determines too little for a trial.
             if let SensorKind::Instrument(instrument) = sensor.kind
                 && instrument != Instrument::Speed
@@ -149,7 +149,6 @@ impl OtherUnit {
                 let others = UnitOfReadings::all(instrument).skip(1).filter(is_tried);
                 found.extend(others.map(|unit| Self::new(sensor, channel, instrument, unit)));
             }
-            channel += sensor.kind.channels().len();
         }
         found
     }
@@ -193,14 +192,8 @@ impl OtherUnit {
 
 /// The first gyroscope and its channel.
 fn gyroscope(dataset: &Dataset) -> Option<(&Sensor, usize)> {
-    let mut channel = 0;
-    for sensor in &dataset.sensors {
-        if sensor.kind == SensorKind::Instrument(Instrument::Gyroscope) {
-            return Some((sensor, channel));
-        }
-        channel += sensor.kind.channels().len();
-    }
-    None
+    let gyroscope = SensorKind::Instrument(Instrument::Gyroscope);
+    sensors(dataset).find(|(sensor, _)| sensor.kind == gyroscope)
 }
 
 /// Unit of the recorded specific forces, m/s²: the mean centripetal acceleration at `place`, across the mean axis of the
