@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use crate::takes::{Axis, LengthUnit, TimeUnit};
 use toml::de::DeTable;
 
-use super::fields::Fields;
+use super::fields::{Fields, Value};
 use super::sensor::{Reading, Sensor, SensorKind};
 use super::words::{meant, shown};
 use crate::input_error::InputError;
@@ -35,10 +35,20 @@ const INVERSE: &str = "inertial_to_body";
 const UNKNOWN: &str = "unknown";
 
 /// The +z axis of the flights' tables: upwards by default, and the third axis if the vertical is unknown.
-const UP_Z: Axis = Axis {
-    index: 2,
-    negative: false,
-};
+const UP_Z: Axis = axis(2);
+
+/// Keys of the axes of gyroscopes and accelerometers.
+const AXES: [&str; 2] = ["gyroscope_axes", "accelerometer_axes"];
+
+/// Axes of an instrument that are the body axes.
+const OWN_AXES: [Axis; 3] = [axis(0), axis(1), axis(2)];
+
+const fn axis(index: usize) -> Axis {
+    Axis {
+        index,
+        negative: false,
+    }
+}
 
 /// Direction of the vertical relative to the axes in which the flights' tables state coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,6 +73,8 @@ pub(super) struct Recording {
     inverse_attitude: bool,
     /// Axis of the tracked body that is the third body axis of the model.
     body_up: Axis,
+    /// Axes of gyroscopes and accelerometers along the body axes of the model.
+    axes: [[Axis; 3]; 2],
 }
 
 impl Default for Recording {
@@ -77,6 +89,7 @@ impl Default for Recording {
             speed: 1.0,
             inverse_attitude: false,
             body_up: UP_Z,
+            axes: [OWN_AXES; 2],
         }
     }
 }
@@ -102,6 +115,8 @@ impl Recording {
             "speed",
             "attitude",
             "body_up",
+            AXES[0],
+            AXES[1],
         ];
         fields.keys(table, " in [recording]", &keys)?;
         let choice = |key, choices: &[&str]| choice(fields, table, key, choices);
@@ -120,6 +135,11 @@ impl Recording {
         }
         if let Some(text) = choice("body_up", &UPS[..6])? {
             recording.body_up = Axis::parse(&text).unwrap_or(UP_Z);
+        }
+        for (key, axes) in AXES.into_iter().zip(&mut recording.axes) {
+            if let Some(value) = table.get(key) {
+                *axes = three_axes(fields, value, key)?;
+            }
         }
         if let Some(text) = choice("length", &LENGTHS)? {
             recording.length = LengthUnit::parse(&text).unwrap_or(recording.length);
@@ -155,14 +175,16 @@ impl Recording {
         time * self.time.seconds()
     }
 
-    /// Converts the reading of an instrument to SI units.
+    /// Converts the reading of an instrument to SI units and the body axes of the model.
     pub fn instrument_reading(&self, instrument: Instrument, reading: Reading) -> Reading {
-        let unit = match instrument {
-            Instrument::Gyroscope => self.angular_rate,
-            Instrument::Accelerometer => self.acceleration,
-            Instrument::Speed => self.speed,
+        let [of_gyroscope, of_accelerometer] = &self.axes;
+        let (unit, axes) = match instrument {
+            Instrument::Gyroscope => (self.angular_rate, of_gyroscope),
+            Instrument::Accelerometer => (self.acceleration, of_accelerometer),
+            Instrument::Speed => return reading.map(|part| part * self.speed),
         };
-        reading.map(|part| part * unit)
+        let [x, y, z] = axes.map(|axis| unit * axis.part_of(reading));
+        [x, y, z, reading[3]]
     }
 
     /// Converts the quaternion of a pose so that it turns components along the model's body axes to inertial ones.
@@ -176,6 +198,18 @@ impl Recording {
     pub fn metres(&self, coordinate: f64) -> f64 {
         coordinate * self.length.metres()
     }
+}
+
+/// Reads the axes of an instrument along the three body axes: each of its axes once.
+fn three_axes(fields: &Fields<'_>, value: &Value<'_>, key: &str) -> Result<[Axis; 3], InputError> {
+    let expected = "the axes of the instrument along the first, second and third body axis, each once, such as [\"+y\", \"-x\", \"+z\"]";
+    let texts = value.get_ref().as_array().map(|texts| texts.iter());
+    let axes = texts.map(|texts| texts.map(|text| Axis::parse(text.get_ref().as_str()?)));
+    let axes = axes.and_then(Iterator::collect::<Option<Vec<Axis>>>);
+    let axes = axes.and_then(|axes| <[Axis; 3]>::try_from(axes).ok());
+    let is_once = |axes: &[Axis; 3]| (0..3).all(|k| axes.iter().any(|axis| axis.index == k));
+    axes.filter(is_once)
+        .ok_or_else(|| fields.refused(value, key, "another value", expected))
 }
 
 /// Reads the text under a key of `table`, which must be one of `choices`; `None` if the key is absent.

@@ -1,5 +1,6 @@
 //! Observations of one flight: its usable samples, its known values, and the free directions of its initial state.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use flight::{FlightParameters, InputsOverTime};
@@ -102,11 +103,9 @@ impl Observations {
         }
         let is_summary = problem.assume(flight, &mut measured, &mut known);
         let known_states: Vec<StateId> = known.states.iter().map(|(state, _)| *state).collect();
-        let stand_ins: Vec<_> = match problem.is_shown_by_markers() {
-            true => Vec::new(),
-            false => (first..=last)
-                .flat_map(|sample| stand_ins(problem, flight, sample))
-                .collect(),
+        let stand_ins: Vec<_> = match pose_points(problem, flight) {
+            Cow::Borrowed(_) => Vec::new(),
+            Cow::Owned(rows) => rows[first..=last].concat(),
         };
         let times = flight.times[first..=last].iter();
         if first > 0 {
@@ -338,6 +337,23 @@ fn row<'f>(
             _ => [reading[0], reading[1], reading[2]],
         })
     }))
+}
+
+/// Positions of the points of the pose in each sample of a flight, m, in the order of [`FitProblem::markers`]: those of
+/// the markers, if these determine it.
+pub fn pose_points<'f>(
+    problem: &FitProblem,
+    flight: &'f Flight,
+) -> Cow<'f, [Vec<Option<[f64; 3]>>]> {
+    if problem.is_shown_by_markers() {
+        return Cow::Borrowed(&flight.positions);
+    }
+    let samples = 0..flight.times.len();
+    Cow::Owned(
+        samples
+            .map(|sample| stand_ins(problem, flight, sample).collect())
+            .collect(),
+    )
 }
 
 /// Positions of the points of the pose in one sample, m: the markers, and points whose positions follow from the

@@ -25,6 +25,12 @@ impl Axis {
         Some(Self { index, negative })
     }
 
+    /// Component of a vector, or of the first three of four numbers, along this axis.
+    pub(crate) fn part_of<const N: usize>(self, vector: [f64; N]) -> f64 {
+        let part = vector[self.index.min(2)];
+        if self.negative { -part } else { part }
+    }
+
     /// Converts a position from the file's axes to right-handed axes with z up; `self` is the axis of the file that
     /// points up. If the file's axes are left-handed, the second horizontal axis (y of the result) is mirrored.
     pub fn upright(self, left_handed: bool, position: [f64; 3]) -> [f64; 3] {

@@ -19,8 +19,8 @@ use crate::observations::Observations;
 use crate::predict::{Loss, Residuals};
 use crate::problem::FitProblem;
 use crate::report::{
-    AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations, MARKER,
-    NoiseReport, NonIdentifiable, Profile, ResidualPool, Rms, SeenValue, SensorReport,
+    ATTITUDE, AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations,
+    MARKER, NoiseReport, NonIdentifiable, Profile, ResidualPool, Rms, SeenValue, SensorReport,
 };
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
 use dataset::AXES;
@@ -154,7 +154,7 @@ fn sensors(problem: &FitProblem, noise: &NoiseModel, sums: &[ChannelSum]) -> Vec
         let measures = match own.kind {
             ChannelKind::Marker(_) => return None,
             ChannelKind::Position => "position",
-            ChannelKind::Attitude => "attitude",
+            ChannelKind::Attitude => ATTITUDE,
             ChannelKind::Instrument(place) => problem.instruments[place].0.name(),
             ChannelKind::Summary(_) => own.summary()?,
         };

@@ -9,7 +9,7 @@ use crate::observations::Observations;
 use crate::observers::ChannelConditions;
 use crate::predict::{Residuals, states};
 use crate::problem::FitProblem;
-use crate::report::{FlightEvidence, MARKER, ResidualPool, SensorEvidence, SquareSums};
+use crate::report::{ATTITUDE, FlightEvidence, MARKER, ResidualPool, SensorEvidence, SquareSums};
 
 /// Residual statistics of one flight, and the ranges of the states and auxiliary variables.
 pub struct PostFit {
@@ -60,7 +60,7 @@ pub fn square_sums(problem: &FitProblem, channels: &[ChannelSum]) -> SquareSums 
             ChannelKind::Marker(_) => MARKER,
             ChannelKind::Position if problem.is_scored(index) => MARKER,
             ChannelKind::Position => continue,
-            ChannelKind::Attitude => "attitude",
+            ChannelKind::Attitude => ATTITUDE,
             ChannelKind::Instrument(place) => problem.instruments[place].0.name(),
             ChannelKind::Summary(_) => match own.summary() {
                 Some(name) => name,

@@ -16,6 +16,7 @@ use crate::observations::Truncation;
 use dataset::Role;
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
 pub use lack_of_fit::{InputNoise, LackOfFit, MissingTerm, SmoothMisfit};
+pub(crate) use outcome::ATTITUDE;
 pub(crate) use outcome::SquareSums;
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
 pub use outcome::{MARKER, Rms};

@@ -94,6 +94,9 @@ pub struct Iterations {
 /// Kind of sensor of measured positions: of markers or, without them, of pose sensors.
 pub const MARKER: &str = "marker";
 
+/// Key of the attitudes of poses in the maps by kind of sensor.
+pub(crate) const ATTITUDE: &str = "attitude";
+
 /// Root mean square residual of one component of a measured quantity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rms {

@@ -1,8 +1,11 @@
 //! Assessment whether a fit is reliable, with the reasons if it is not.
 
-use super::{Coefficient, FitReport, FitStatus, InputNoise};
+use model_spec::compose::Instrument;
+
+use super::{ATTITUDE, Coefficient, FitReport, FitStatus, InputNoise, MARKER};
+use crate::levels::SIGNIFICANT;
 use crate::numbers::Digits;
-use crate::wording::count;
+use crate::wording::{count, listed};
 use dataset::Role;
 
 /// Ratio of the rms residual to the noise floor above which a fit is not reliable, and least noise floor, m. AR(1) noise
@@ -17,6 +20,9 @@ pub(crate) const LACK_OF_FIT_LEVEL: f64 = 0.01;
 
 /// Difference of a prior from what the data alone give, in standard deviations, above which they contradict it.
 pub const MAX_PRIOR_CONFLICT: f64 = 3.0;
+
+/// Maximum relative difference of an estimate from the negative of its declared value.
+const NEGATIVE: f64 = 0.5;
 
 impl FitReport {
     /// Decides whether the fit is reliable, and states the reasons if it is not.
@@ -49,6 +55,7 @@ fn cautions(report: &FitReport) -> Vec<String> {
         missing_term(report),
         data_faults(report),
         marker_distances(report),
+        opposite_signs(report),
     ];
     let mut cautions: Vec<String> = cautions.into_iter().flatten().collect();
     let doubts = report.doubts.iter().chain(&report.doubt_of_summaries);
@@ -133,6 +140,31 @@ fn at_bound(name: &str, coefficient: &Coefficient) -> Option<String> {
         format!(
             "{name} is at its bound {}: the data ask for a value beyond it (`--unbounded`), or for another model",
             coefficient.value
+        )
+    })
+}
+
+/// Caution that coefficients are the negatives of what the model declares, where only instruments show the body's axes:
+/// a body that is turned over flies the same way with them.
+fn opposite_signs(report: &FitReport) -> Option<String> {
+    let kinds = || report.residual_rms.keys().map(String::as_str);
+    let instruments = [Instrument::Gyroscope, Instrument::Accelerometer].map(Instrument::name);
+    if !kinds().any(|kind| instruments.contains(&kind))
+        || kinds().any(|kind| [MARKER, ATTITUDE].contains(&kind))
+    {
+        return None;
+    }
+    let is_opposite = |own: &Coefficient| {
+        (own.value + own.model_value).abs() < NEGATIVE * own.model_value.abs()
+            && own.value.abs() > SIGNIFICANT * own.std_error
+    };
+    let coefficients = report.coefficients.iter();
+    let opposite = coefficients.filter(|(_, own)| is_opposite(own));
+    let names: Vec<&String> = opposite.map(|(name, _)| name).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "{}: the sign is the opposite of the declared one, and nothing but the instruments shows the axes of the body; check their axes (`gyroscope_axes` and `accelerometer_axes` in [recording])",
+            listed(&names)
         )
     })
 }

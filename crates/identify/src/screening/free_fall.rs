@@ -8,8 +8,8 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::distances::{UNITS, unit};
 use super::loads::{Regression, Row, regress, rows};
-use super::mirror::{MEND, UPRIGHT, reflection, transformed_track, upright};
-use super::track::Track;
+use super::mirror::{MEND, UPRIGHT, reflection, upright};
+use super::track::{Conversion, Track};
 use crate::error::{DataFault, FaultKind};
 use crate::levels::{CLEARLY_SMALLER, MIN_POPULATION};
 use crate::problem::FitProblem;
@@ -258,8 +258,7 @@ impl<'a> FreeFall<'a> {
             return None;
         }
         let flight = &self.dataset.flights[index];
-        let mirror = reflection();
-        let track = transformed_track(self.problem, flight, &mirror);
+        let track = Track::converted(self.problem, flight, &reflection(self.problem));
         let rows = rows(&track, omega(self.problem, flight));
         let after = self.misfit(fixed, &rows)?;
         (after < CLEARLY_SMALLER * before).then(|| DataFault::new(flight, FaultKind::Mirrored, "unlike in the other flights, the markers show the body turned over, and it flies as its mirror image: the axes seem left-handed, or labels are exchanged", MEND))
@@ -291,13 +290,18 @@ impl<'a> FreeFall<'a> {
         let scaled: Vec<Vector3<f64>> = rest.iter().map(|rest| rest / ratio).collect();
         let of_time = misfit(&scaled, self.gravity).unwrap_or(f64::INFINITY);
         let omega = omega(self.problem, flight);
-        let after = |matrix: &Matrix3<f64>| {
-            let track = transformed_track(self.problem, flight, matrix);
+        let after = |conversion: Conversion| {
+            let track = Track::converted(self.problem, flight, &conversion);
             self.misfit(fixed, &super::loads::rows(&track, omega))
         };
-        let fits = |matrix: &Matrix3<f64>| after(matrix).is_some_and(|misfit| misfit < enough);
-        if let Some((misfit, length, name)) =
-            self.length(&after).filter(|(misfit, ..)| *misfit < enough)
+        let of_space = |space: Matrix3<f64>| Conversion {
+            space,
+            body: Matrix3::identity(),
+        };
+        let fits = |conversion: Conversion| after(conversion).is_some_and(|own| own < enough);
+        if let Some((misfit, length, name)) = self
+            .length(&|space| after(of_space(space)))
+            .filter(|(misfit, ..)| *misfit < enough)
             && misfit < of_time
         {
             return Some(fault(
@@ -312,16 +316,20 @@ impl<'a> FreeFall<'a> {
                 format!("{as_others} free fall is {ratio:.3} times as fast as gravity{told}");
             return Some(fault(FaultKind::TimeUnit, detail, &correction));
         }
-        let mirror = reflection();
+        let mirror = reflection(self.problem);
         for (axis, change, to_up) in orientations().into_iter().skip(1) {
-            if fits(&to_up) {
+            if fits(of_space(to_up)) {
                 let detail =
                     format!("{as_others} free fall is along the axes as if {axis} pointed up");
                 return Some(fault(FaultKind::Axes, detail, &axes_mend(change)));
             }
         }
         for (axis, _, to_up) in orientations() {
-            if fits(&(mirror * to_up)) {
+            let mirrored = Conversion {
+                space: mirror.space * to_up,
+                ..mirror
+            };
+            if fits(mirrored) {
                 let up = match axis {
                     "+z" => String::new(),
                     _ => format!(", with {axis} up"),
@@ -339,13 +347,13 @@ impl<'a> FreeFall<'a> {
     /// of the positions by a matrix.
     fn length(
         &self,
-        misfit: &impl Fn(&Matrix3<f64>) -> Option<f64>,
+        misfit: &impl Fn(Matrix3<f64>) -> Option<f64>,
     ) -> Option<(f64, f64, &'static str)> {
         if self.template_gives_lengths() {
             return None;
         }
         let units = UNITS.iter().filter_map(|&(length, name)| {
-            let misfit = misfit(&(Matrix3::identity() * length))?;
+            let misfit = misfit(Matrix3::identity() * length)?;
             Some((misfit, length, name))
         });
         units.min_by(|a, b| a.0.total_cmp(&b.0))

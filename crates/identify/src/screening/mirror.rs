@@ -1,9 +1,10 @@
 //! Left-handed axes: markers that match the mirror image of the template. Turned over, markers in a plane do so, too.
+//! Poses of a body whose third axis points down.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use super::loads::acceleration;
-use super::track::Track;
+use super::track::{Conversion, Track};
 use crate::error::{DataFault, FaultKind};
 use crate::ground_contact::PathPoint;
 use crate::initial_state::{RigidMotion, state_for_motion};
@@ -73,8 +74,8 @@ pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
         ), MEND))
 }
 
-// Left-handed axes of all flights of a body whose markers lie in a plane: it flies upside down throughout, and the
-// model describes the mirror images far better. The only check that uses the model's loads.
+// A body that flies upside down in all flights, where the model describes far better what another convention of the
+// axes makes of them. The only check that uses the model's loads.
 
 /// Minimum vertical component of the normal of the markers' plane at which its upper side is clear.
 pub const UPRIGHT: f64 = 0.3;
@@ -85,12 +86,32 @@ const COMPARED: (usize, usize) = (6, 3);
 /// Maximum ratio of the misfit of the mirror images to that of the recorded flights.
 const MISFIT: f64 = 0.6;
 
-/// A fault for each flight with a path, if the flights seem to be mirror images.
+/// Body axes of which the third points the other way.
+const TURNED_OVER: Conversion = Conversion {
+    space: Matrix3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
+    body: Matrix3::new(1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, -1.0),
+};
+
+/// A fault for each flight with a path, if the body is upside down in all flights, and should not be.
 pub fn check_all(
     problem: &FitProblem,
     dataset: &Dataset,
     tracks: &[Option<Track>],
 ) -> Vec<DataFault> {
+    let (kind, conversion, detail, correction) = match problem.is_shown_by_markers() {
+        true => (
+            FaultKind::Mirrored,
+            reflection(problem),
+            "in all flights the body is upside down, and the model describes their mirror images far better: the axes seem left-handed, or labels are exchanged",
+            MEND,
+        ),
+        false => (
+            FaultKind::AttitudeConvention,
+            TURNED_OVER,
+            "in all flights the body is upside down, and the model describes them far better with the body turned over: the third body axis seems to point down",
+            "state `body_up = \"-z\"` in [recording], or turn the body axes",
+        ),
+    };
     if !problem.has_attitude || is_decided_by(&problem.markers) {
         return Vec::new();
     }
@@ -106,43 +127,27 @@ pub fn check_all(
     if seen.len() < MIN_FLIGHTS || !seen.iter().all(is_turned) {
         return Vec::new();
     }
-    let (mut plain, mut mirrored) = (Vec::new(), Vec::new());
-    let flights = dataset
-        .flights
-        .iter()
-        .zip(tracks)
-        .filter_map(|(f, track)| Some((f, track.as_ref()?)));
-    for (flight, track) in flights.take(COMPARED.0) {
+    let (mut plain, mut converted) = (Vec::new(), Vec::new());
+    let with_track = || {
+        let flights = dataset.flights.iter().zip(tracks);
+        flights.filter_map(|(flight, track)| Some((flight, track.as_ref()?)))
+    };
+    for (flight, track) in with_track().take(COMPARED.0) {
         let Ok(observations) = Observations::new(problem, flight) else {
             continue;
         };
         plain.extend(misfits(problem, &observations, track));
-        mirrored.extend(misfits(
-            problem,
-            &observations,
-            &transformed_track(problem, flight, &reflection()),
-        ));
+        let track = Track::converted(problem, flight, &conversion);
+        converted.extend(misfits(problem, &observations, &track));
     }
     if plain.len() < MIN_FLIGHTS
-        || median(&mut mirrored) > MISFIT * median(&mut plain)
-        || mirrored.is_empty()
+        || median(&mut converted) > MISFIT * median(&mut plain)
+        || converted.is_empty()
     {
         return Vec::new();
     }
-    let fault = |flight: &Flight| {
-        DataFault::new(
-            flight,
-            FaultKind::Mirrored,
-            "in all flights the body is upside down, and the model describes their mirror images far better: the axes seem left-handed, or labels are exchanged",
-            MEND,
-        )
-    };
-    let flights = dataset
-        .flights
-        .iter()
-        .zip(tracks)
-        .filter(|(_, track)| track.is_some());
-    flights.map(|(flight, _)| fault(flight)).collect()
+    let fault = |(flight, _): (&Flight, &Track)| DataFault::new(flight, kind, detail, correction);
+    with_track().map(fault).collect()
 }
 
 /// Vertical component of the markers' normal in the default state; `None` if too small.
@@ -191,20 +196,20 @@ fn rates(points: &[PathPoint]) -> Option<Vector3<f64>> {
     median_vector(&pairs)
 }
 
-/// Reflection of the positions that turns left-handed axes into right-handed ones.
-pub fn reflection() -> Matrix3<f64> {
-    Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0))
-}
-
-/// Path up to the first contact after multiplication of the positions by `matrix`.
-pub fn transformed_track(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
-    let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
-    let rows: Vec<Vec<Option<[f64; 3]>>> = flight
-        .positions
-        .iter()
-        .map(|row| row.iter().map(|point| point.map(change)).collect())
-        .collect();
-    Track::until_contact(problem, &flight.times, &rows).0
+/// Reflection of the space that turns left-handed axes into right-handed ones; markers in a plane show the body turned
+/// over then.
+pub fn reflection(problem: &FitProblem) -> Conversion {
+    let body = match problem.has_attitude {
+        true => {
+            let normal = normal(&problem.markers);
+            Matrix3::identity() - 2.0 * normal * normal.transpose()
+        }
+        false => Matrix3::identity(),
+    };
+    Conversion {
+        space: Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0)),
+        body,
+    }
 }
 
 /// Median vertical component of the normal of the markers' plane; `None` without attitudes.

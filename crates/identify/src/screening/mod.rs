@@ -4,12 +4,17 @@
 mod distances;
 mod free_fall;
 mod handling;
+mod instrument_axes;
 mod loads;
 mod mirror;
+mod momentum;
+mod motion;
 mod path_speed;
+mod pose_axes;
 mod readings;
 mod records;
 mod sensors;
+mod signed_axes;
 mod template;
 #[cfg(test)]
 mod tests;
@@ -36,14 +41,21 @@ const ROUGH: (f64, f64) = (30.0, 0.1);
 /// a fault; no searches if the tracks of markers do not show the body.
 type Screening = (Vec<DataFault>, Vec<Option<ContactSearch>>);
 
+/// The same, and the tracks of flights without faults.
+type TrackScreening = (
+    Vec<DataFault>,
+    Vec<Option<ContactSearch>>,
+    Vec<Option<Track>>,
+);
+
 /// Screens all flights: the tracks of markers, if they show the body, and the readings of sensors.
 pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
-    let is_tracked = problem.is_shown_by_markers() && !problem.markers.is_empty();
-    let (mut faults, contacts) = match is_tracked {
+    let is_tracked = !problem.markers.is_empty() && problem.sees_positions();
+    let (mut faults, contacts, tracks) = match is_tracked {
         true => screen_tracks(problem, dataset, threads),
-        false => Screening::default(),
+        false => Default::default(),
     };
-    for fault in sensors::check(problem, dataset) {
+    for fault in sensors::check(problem, dataset, &tracks) {
         if !faults.iter().any(|own| own.file == fault.file) {
             faults.push(fault);
         }
@@ -51,20 +63,24 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     (faults, contacts)
 }
 
-fn screen_tracks(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
-    let mirror_is_decided = problem.has_attitude && mirror::is_decided_by(&problem.markers);
-    let rigid = distances::rigid_pairs(problem);
+fn screen_tracks(problem: &FitProblem, dataset: &Dataset, threads: usize) -> TrackScreening {
+    let by_markers = problem.is_shown_by_markers();
+    let mirror_is_decided =
+        by_markers && problem.has_attitude && mirror::is_decided_by(&problem.markers);
+    let rigid = match by_markers {
+        true => distances::rigid_pairs(problem),
+        false => Vec::new(),
+    };
     let is_rigid = rigid.iter().all(|is_rigid| *is_rigid);
     let each = parallel::each_on(threads, dataset.flights.len(), |index| {
         let flight = &dataset.flights[index];
-        let fault = records::check(dataset, index)
-            .or_else(|| template::check(dataset, index, &rigid))
+        let fault = records::check(problem, dataset, index)
+            .or_else(|| by_markers.then(|| template::check(dataset, index, &rigid))?)
             .or_else(|| mirror_is_decided.then(|| mirror::check(&problem.markers, flight))?);
         match fault {
             Some(fault) => ((Some(fault), None), None),
             None => {
-                let (track, search) =
-                    Track::until_contact(problem, &flight.times, &flight.positions);
+                let (track, search) = Track::until_contact(problem, flight);
                 let fault = records::jumps(&track, flight);
                 let track = fault.is_none().then_some(track);
                 ((fault, track), Some(search))
@@ -72,23 +88,27 @@ fn screen_tracks(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Scr
         }
     });
     let (of_flights, contacts): (Vec<_>, Vec<Option<ContactSearch>>) = each.into_iter().unzip();
-    let (faults, tracks) = of_flights.into_iter().unzip();
-    let faults = compare_flights((problem, dataset), is_rigid, (faults, tracks), threads);
-    (faults, contacts)
+    let (mut faults, mut tracks): (Vec<_>, Vec<_>) = of_flights.into_iter().unzip();
+    reject_noisy_tracks(dataset, &mut faults, &mut tracks);
+    let faults = compare_flights((problem, dataset), is_rigid, (faults, &tracks), threads);
+    for (track, flight) in tracks.iter_mut().zip(&dataset.flights) {
+        let is_faulty = faults.iter().any(|fault| fault.file == flight.file);
+        *track = track.take().filter(|_| !is_faulty);
+    }
+    (faults, contacts, tracks)
 }
 
 /// Adds faults that a comparison of the flights with each other and with gravity reveals.
 fn compare_flights(
     (problem, dataset): (&FitProblem, &Dataset),
     is_rigid: bool,
-    (mut faults, mut tracks): (Vec<Option<DataFault>>, Vec<Option<Track>>),
+    (faults, tracks): (Vec<Option<DataFault>>, &[Option<Track>]),
     threads: usize,
 ) -> Vec<DataFault> {
-    reject_noisy_tracks(dataset, &mut faults, &mut tracks);
     // What is recorded of motors or controls acts beside gravity.
-    for (track, flight) in tracks.iter_mut().zip(&dataset.flights) {
-        *track = track.take().filter(|_| flight.inputs.is_empty());
-    }
+    let flights = tracks.iter().zip(&dataset.flights);
+    let tracks = flights.map(|(track, flight)| track.clone().filter(|_| flight.inputs.is_empty()));
+    let tracks: Vec<Option<Track>> = tracks.collect();
     let Some(gravity) = loads::gravity(problem) else {
         return faults.into_iter().flatten().collect();
     };

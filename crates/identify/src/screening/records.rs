@@ -6,6 +6,8 @@ use super::track::Track;
 use crate::error::{DataFault, FaultKind};
 use crate::ground_contact::PathPoint;
 use crate::levels::MAX_GAP;
+use crate::observations::pose_points;
+use crate::problem::FitProblem;
 use dataset::pose::distance;
 use dataset::statistics::{median_of, median_vector};
 use dataset::{Dataset, Flight};
@@ -21,20 +23,21 @@ const REPEATED_FRACTION: f64 = 0.3;
 /// Minimum number of samples at which a flight is checked for being a copy of an earlier flight.
 const COPY_SAMPLES: usize = 8;
 
-pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
-    copy(dataset, flight)
+pub fn check(problem: &FitProblem, dataset: &Dataset, flight: usize) -> Option<DataFault> {
+    copy(problem, dataset, flight)
         .or_else(|| (0..dataset.markers.len()).find_map(|marker| frozen(dataset, flight, marker)))
 }
 
 /// Fault of a flight that equals an earlier one; simulations without noise may be equal.
-fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
+fn copy(problem: &FitProblem, dataset: &Dataset, flight: usize) -> Option<DataFault> {
     let this = &dataset.flights[flight];
-    let count = this.positions.len();
-    if count < COPY_SAMPLES || !is_noisy(dataset, flight) {
+    let count = this.times.len();
+    if count < COPY_SAMPLES || !is_noisy(&pose_points(problem, this)) {
         return None;
     }
     let mut earlier = dataset.flights[..flight].iter();
-    let original = earlier.find(|other| other.positions == this.positions)?;
+    let original = earlier
+        .find(|other| other.positions == this.positions && other.readings == this.readings)?;
     Some(DataFault::new(
         this,
         FaultKind::Other,
@@ -44,8 +47,7 @@ fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
 }
 
 /// Whether third differences exceed 0.1 mm; those of a smooth path are smaller at the rates of cameras.
-fn is_noisy(dataset: &Dataset, flight: usize) -> bool {
-    let rows = &dataset.flights[flight].positions;
+fn is_noisy(rows: &[Vec<Option<[f64; 3]>>]) -> bool {
     let third = |w: &[Vec<Option<[f64; 3]>>]| {
         let [a, b, c, d] = [w[0][0]?, w[1][0]?, w[2][0]?, w[3][0]?];
         let axis = |k: usize| (d[k] - 3.0 * c[k] + 3.0 * b[k] - a[k]).abs();

@@ -1,11 +1,13 @@
 //! The measured path of a body's origin, with velocities and accelerations from fitted parabolas.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
-use crate::ground_contact::{self, ContactSearch, PathPoint};
+use crate::ground_contact::{self, Contact, ContactSearch, PathPoint};
 use crate::levels::UNLIKE;
 use crate::noise_floor::path_noise;
+use crate::observations::pose_points;
 use crate::problem::FitProblem;
+use dataset::Flight;
 use dataset::pose::{Pose, pose};
 use dataset::statistics::robust_sigma;
 
@@ -38,38 +40,68 @@ pub struct Parabola {
     pub deviation: f64,
 }
 
+/// Change of the coordinates in which positions and attitudes are recorded.
+#[derive(Clone, Copy, Debug)]
+pub struct Conversion {
+    /// Factor of the positions: a rotation or reflection, times a unit of length.
+    pub space: Matrix3<f64>,
+    /// Rotation, or with a reflection of the space reflection, from new to recorded body components.
+    pub body: Matrix3<f64>,
+}
+
+impl Conversion {
+    fn apply(&self, point: &mut PathPoint) {
+        point.position = self.space * point.position;
+        let scale = self.space.determinant().abs().cbrt();
+        point.attitude = point.attitude.map(|attitude| {
+            let turned = self.space / scale * attitude.to_rotation_matrix() * self.body;
+            UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(turned))
+        });
+    }
+}
+
 impl Track {
-    /// Path of the body's origin, from poses or the markers of a point mass (`rows`, one per sample), and the poses.
-    pub fn of(
-        markers: &[[f64; 3]],
-        has_attitude: bool,
-        times: &[f64],
-        rows: &[Vec<Option<[f64; 3]>>],
-    ) -> (Self, Vec<Option<Pose>>) {
+    /// Path of the body's origin, from its poses or the markers of a point mass, and the poses.
+    pub fn of(problem: &FitProblem, flight: &Flight) -> (Self, Vec<Option<Pose>>) {
+        let rows = pose_points(problem, flight);
+        let markers = &problem.markers[..];
+        let has_attitude = problem.has_attitude;
         let poses: Vec<Option<Pose>> = match has_attitude {
             true => rows.iter().map(|row| pose(markers, row)).collect(),
             false => Vec::new(),
         };
         let of_point_mass = (!has_attitude).then_some(markers);
-        let mut points = ground_contact::path(times, &poses, of_point_mass, &|k| &rows[k]);
+        let mut points = ground_contact::path(&flight.times, &poses, of_point_mass, &|k| &rows[k]);
         // Poses that contain outliers are not on the path.
         points.retain(|point| point.attitude.is_some() == has_attitude);
+        (Self::through(points), poses)
+    }
+
+    fn through(points: Vec<PathPoint>) -> Self {
         let noise = path_noise(points.iter().map(|point| (point.time, point.position)));
-        (Self { points, noise }, poses)
+        Self { points, noise }
     }
 
     /// Path up to the first contact, and the result of the search for it.
-    pub fn until_contact(
-        problem: &FitProblem,
-        times: &[f64],
-        rows: &[Vec<Option<[f64; 3]>>],
-    ) -> (Self, ContactSearch) {
-        let (mut track, poses) = Self::of(&problem.markers, problem.has_attitude, times, rows);
-        let contact = ground_contact::first_change(&track.points);
-        if let Some(contact) = &contact {
-            track.points.retain(|point| point.sample < contact.sample);
-        }
+    pub fn until_contact(problem: &FitProblem, flight: &Flight) -> (Self, ContactSearch) {
+        let (track, poses) = Self::of(problem, flight);
+        let (track, contact) = track.cut();
         (track, ContactSearch { contact, poses })
+    }
+
+    /// Path up to the first contact in other coordinates than the recorded ones.
+    pub fn converted(problem: &FitProblem, flight: &Flight, conversion: &Conversion) -> Self {
+        let mut points = Self::of(problem, flight).0.points;
+        points.iter_mut().for_each(|point| conversion.apply(point));
+        Self::through(points).cut().0
+    }
+
+    fn cut(mut self) -> (Self, Option<Contact>) {
+        let contact = ground_contact::first_change(&self.points);
+        if let Some(contact) = &contact {
+            self.points.retain(|point| point.sample < contact.sample);
+        }
+        (self, contact)
     }
 
     /// Extent of the path, m: the largest of the ranges of its x, y and z coordinates.

@@ -52,8 +52,14 @@ pub struct UnitOfReadings {
 }
 
 impl UnitOfReadings {
+    /// The unit of a dataset.
+    pub const OF_DATASET: Self = Self {
+        index: 0,
+        is_converted_twice: false,
+    };
+
     /// All units, that of a dataset first.
-    fn all(instrument: Instrument) -> impl Iterator<Item = Self> {
+    pub fn all(instrument: Instrument) -> impl Iterator<Item = Self> {
         let of = |is_converted_twice: bool| {
             let first = usize::from(is_converted_twice);
             (first..units(instrument).len()).map(move |index| Self {
@@ -65,7 +71,7 @@ impl UnitOfReadings {
     }
 
     /// Its value in SI units.
-    fn value(self, instrument: Instrument) -> f64 {
+    pub fn value(self, instrument: Instrument) -> f64 {
         let (_, unit) = units(instrument)[self.index];
         if self.is_converted_twice {
             1.0 / unit
@@ -120,9 +126,7 @@ pub struct OtherUnit {
 
 impl OtherUnit {
     pub fn new(
-        sensor: &Sensor,
-        channel: usize,
-        instrument: Instrument,
+        (sensor, channel, instrument): (&Sensor, usize, Instrument),
         unit: UnitOfReadings,
     ) -> Self {
         Self {
@@ -147,7 +151,8 @@ impl OtherUnit {
                     instrument == Instrument::Accelerometer || !unit.is_converted_twice
                 };
                 let others = UnitOfReadings::all(instrument).skip(1).filter(is_tried);
-                found.extend(others.map(|unit| Self::new(sensor, channel, instrument, unit)));
+                let own = (sensor, channel, instrument);
+                found.extend(others.map(|unit| Self::new(own, unit)));
             }
         }
         found

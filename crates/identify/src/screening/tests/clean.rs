@@ -170,8 +170,7 @@ fn time_of_the_screening() {
         );
     };
     let dataset = &made.dataset;
-    let track =
-        |flight: &Flight| Track::until_contact(&problem, &flight.times, &flight.positions).0;
+    let track = |flight: &Flight| Track::until_contact(&problem, flight).0;
     let tracks: Vec<Option<Track>> = dataset
         .flights
         .iter()
@@ -181,7 +180,7 @@ fn time_of_the_screening() {
     let rigid = distances::rigid_pairs(&problem);
     let each = |work: &dyn Fn(usize)| (0..dataset.flights.len()).for_each(work);
     time("records", &|| {
-        each(&|i| assert!(records::check(dataset, i).is_none()));
+        each(&|i| assert!(records::check(&problem, dataset, i).is_none()));
     });
     time("distances", &|| {
         each(&|i| assert!(template::check(dataset, i, &rigid).is_none()));
@@ -192,7 +191,7 @@ fn time_of_the_screening() {
     time("poses", &|| {
         each(&|i| {
             let flight = &dataset.flights[i];
-            let (track, _) = Track::of(&problem.markers, true, &flight.times, &flight.positions);
+            let (track, _) = Track::of(&problem, flight);
             assert!(!track.points.is_empty());
         });
     });

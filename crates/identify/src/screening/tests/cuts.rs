@@ -24,12 +24,7 @@ fn bounced(flight: &Flight, time: f64, change: [f64; 3]) -> Flight {
 /// Index of the first sample after the detected impact on the ground or an object, at which the flight is truncated;
 /// `None` if no impact is detected.
 fn cut_at(problem: &FitProblem, flight: &Flight) -> Option<usize> {
-    let (track, _) = Track::of(
-        &problem.markers,
-        problem.has_attitude,
-        &flight.times,
-        &flight.positions,
-    );
+    let (track, _) = Track::of(problem, flight);
     ground_contact::first_change(&track.points).map(|contact| contact.sample)
 }
 
@@ -53,12 +48,7 @@ fn cuts(seeds: std::ops::Range<u64>) -> [usize; 4] {
                         flight.times.len()
                     );
                 }
-                let (track, _) = Track::of(
-                    &problem.markers,
-                    problem.has_attitude,
-                    &flight.times,
-                    &flight.positions,
-                );
+                let (track, _) = Track::of(&problem, flight);
                 let middle = track.points.len() / 2 + index;
                 let Some(motion) =
                     track::parabola(&track.points[middle - 10..middle + 10], track.noise)

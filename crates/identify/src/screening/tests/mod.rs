@@ -4,6 +4,7 @@ mod allowed;
 mod clean;
 mod cuts;
 mod handled;
+mod instruments;
 mod mistakes;
 
 use ::flight::release::{Release, Stop, Vocabulary, built_in, read};

@@ -1,0 +1,73 @@
+//! Axes of an instrument along those of the body, each with a sign.
+
+use std::fmt;
+
+use nalgebra::Vector3;
+
+/// For each axis of the body: the axis of the instrument along it, and its sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SignedAxes([(usize, f64); 3]);
+
+impl SignedAxes {
+    /// All 48, those of the body first.
+    pub fn all() -> Vec<Self> {
+        const ORDERS: [[usize; 3]; 6] = [
+            [0, 1, 2],
+            [1, 0, 2],
+            [2, 1, 0],
+            [0, 2, 1],
+            [1, 2, 0],
+            [2, 0, 1],
+        ];
+        let signs = |k: u32| [0, 1, 2].map(|axis| if k >> axis & 1 == 0 { 1.0 } else { -1.0 });
+        let each = ORDERS.into_iter().flat_map(|order| {
+            (0..8).map(move |k| {
+                let signs = signs(k);
+                Self([0, 1, 2].map(|axis| (order[axis], signs[axis])))
+            })
+        });
+        each.collect()
+    }
+
+    pub fn is_identity(self) -> bool {
+        self.changes() == 0
+    }
+
+    /// 0 for the axes of the body, 1 with other signs, 2 with other axes.
+    pub fn changes(self) -> usize {
+        let each = || self.0.iter().enumerate();
+        if each().any(|(body, (own, _))| body != *own) {
+            return 2;
+        }
+        usize::from(each().any(|(_, (_, sign))| *sign < 0.0))
+    }
+
+    /// Axis of the instrument along an axis of the body, and its sign.
+    pub fn along(self, body: usize) -> (usize, f64) {
+        self.0[body]
+    }
+
+    /// Components of a reading along the axes of the body.
+    pub fn turned(self, reading: Vector3<f64>) -> Vector3<f64> {
+        Vector3::from(self.0.map(|(own, sign)| sign * reading[own]))
+    }
+
+    /// As an array of TOML.
+    pub fn toml(self) -> String {
+        let names = self.0.map(|(own, sign)| {
+            let sign = if sign < 0.0 { '-' } else { '+' };
+            format!("\"{sign}{}\"", dataset::AXES[own])
+        });
+        format!("[{}]", names.join(", "))
+    }
+}
+
+impl fmt::Display for SignedAxes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = self.0.map(|(own, sign)| {
+            let sign = if sign < 0.0 { "−" } else { "" };
+            format!("{sign}{}", dataset::AXES[own])
+        });
+        write!(f, "({})", names.join(", "))
+    }
+}

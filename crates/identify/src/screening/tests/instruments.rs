@@ -1,0 +1,217 @@
+//! Conventions of poses and instruments: right ones have no fault, and others are named with their correction.
+
+use model_spec::compose::Instrument;
+use nalgebra::{UnitQuaternion, Vector3};
+
+use super::{calm_disc, found};
+use crate::error::FaultKind;
+use dataset::{Dataset, Reading, Sensor, SensorKind};
+
+/// What is recorded in one sample: position, quaternion, angular velocity and specific force.
+#[derive(Clone, Copy)]
+struct Sample {
+    position: [f64; 3],
+    quaternion: Reading,
+    rate: [f64; 3],
+    force: [f64; 3],
+}
+
+impl Sample {
+    fn with_rate(self, change: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
+        let rate = change(self.rate);
+        Self { rate, ..self }
+    }
+
+    fn with_force(self, change: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
+        let force = change(self.force);
+        Self { force, ..self }
+    }
+}
+
+/// Sample of a disc that wobbles and falls more slowly than freely, in flight `index`, with errors of the readings.
+fn sample(index: usize, time: f64) -> Sample {
+    const TILT: f64 = 0.12;
+    let (spin, speed) = (-40.0 - 5.0 * index as f64, 8.0 + 3.0 * index as f64);
+    // A disc has twice the moment of inertia about its axis, so that it precesses about twice as fast as it spins.
+    let precession = 1.93 * (spin / TILT.cos());
+    let about = |axis: &Vector3<f64>, angle: f64| UnitQuaternion::from_scaled_axis(axis * angle);
+    let (x, z) = (Vector3::x(), Vector3::z());
+    let attitude = about(&x, 0.2)
+        * about(&z, precession * time)
+        * about(&x, TILT)
+        * about(&z, (spin - precession * TILT.cos()) * time);
+    let momentum = attitude.inverse() * about(&x, 0.2) * (z * precession);
+    let relative = z * (spin - precession * TILT.cos());
+    let error = |k: f64| 0.05 * (1e3 * (time + k)).sin();
+    let rate = momentum + relative + Vector3::new(error(1.0), error(2.0), error(3.0));
+    let acceleration = Vector3::new(-5.0, 2.0, -9.4 - 0.1 * index as f64);
+    let velocity = Vector3::new(speed, 0.0, 2.0);
+    let position =
+        Vector3::new(0.0, 0.0, 1.5) + velocity * time + acceleration * (0.5 * time * time);
+    let force = attitude.inverse() * (acceleration + Vector3::z() * 9.7935);
+    let [qx, qy, qz, qw] = attitude.coords.into();
+    Sample {
+        position: (position + Vector3::new(error(4.0), error(5.0), error(6.0)) * 0.02).into(),
+        quaternion: [qw, qx, qy, qz],
+        rate: rate.into(),
+        force: (force + Vector3::new(error(7.0), error(8.0), error(9.0))).into(),
+    }
+}
+
+/// Flights of the disc, recorded by a pose, a gyroscope and an accelerometer, or by the last two.
+fn recorded(has_pose: bool, change: impl Fn(Sample) -> Sample) -> Dataset {
+    let (_, mut dataset) = calm_disc(1);
+    dataset.markers.clear();
+    let instrument = SensorKind::Instrument;
+    dataset.sensors = [
+        ("tag", SensorKind::Pose),
+        ("gyro", instrument(Instrument::Gyroscope)),
+        ("acc", instrument(Instrument::Accelerometer)),
+    ]
+    .into_iter()
+    .skip(usize::from(!has_pose))
+    .map(|(name, kind)| Sensor::new(name, kind, [0.0; 3]))
+    .collect();
+    dataset.flights.truncate(5);
+    for (index, flight) in dataset.flights.iter_mut().enumerate() {
+        flight.times = (0..200).map(|k| f64::from(k) * 0.005).collect();
+        flight.positions = vec![Vec::new(); flight.times.len()];
+        let rows = flight.times.iter().map(|time| {
+            let own = change(sample(index, *time));
+            let three = |[x, y, z]: [f64; 3]| Some([x, y, z, 0.0]);
+            let pose = has_pose.then(|| [three(own.position), Some(own.quaternion)]);
+            let instruments = [three(own.rate), three(own.force)];
+            pose.into_iter().flatten().chain(instruments).collect()
+        });
+        flight.readings = rows.collect();
+    }
+    dataset
+}
+
+/// Kind and correction of the faults of a recording, which all flights have.
+fn told(has_pose: bool, change: impl Fn(Sample) -> Sample) -> Option<(FaultKind, String)> {
+    let (model, _) = calm_disc(1);
+    let dataset = recorded(has_pose, change);
+    let mut faults = found(&model, &dataset).into_iter();
+    let first = faults.next()?;
+    let others: Vec<_> = faults.collect();
+    assert_eq!(
+        1 + others.len(),
+        dataset.flights.len(),
+        "{first}: {others:?}"
+    );
+    assert!(others.iter().all(|own| own.correction == first.correction));
+    Some((first.fault, first.correction))
+}
+
+#[test]
+fn right_recordings_have_no_fault() {
+    assert_eq!(told(true, |own| own), None);
+    assert_eq!(told(false, |own| own), None);
+}
+
+#[test]
+fn axes_of_instruments_beside_poses_are_named() {
+    type Change = fn(Sample) -> Sample;
+    let cases: [(Change, &str); 9] = [
+        (
+            |own| own.with_rate(|all| all.map(|part| -part)),
+            "gyroscope_axes = [\"-x\", \"-y\", \"-z\"]",
+        ),
+        (
+            |own| own.with_rate(|[x, y, z]| [y, x, z]),
+            "gyroscope_axes = [\"+y\", \"+x\", \"+z\"]",
+        ),
+        (
+            |own| own.with_rate(|[x, y, z]| [y, z, x]),
+            "gyroscope_axes = [\"+z\", \"+x\", \"+y\"]",
+        ),
+        (
+            |own| own.with_force(|all| all.map(|part| -part)),
+            "accelerometer_axes = [\"-x\", \"-y\", \"-z\"]",
+        ),
+        (
+            |own| own.with_force(|[x, y, z]| [x, -y, -z]),
+            "accelerometer_axes = [\"+x\", \"-y\", \"-z\"]",
+        ),
+        (
+            |own| own.with_force(|all| all.map(|part| part / 9.80665)),
+            "acceleration = \"g\"",
+        ),
+        (
+            |own| {
+                let turn = dataset::attitude(own.quaternion);
+                let force = Vector3::from(own.force) - turn.inverse() * Vector3::z() * 9.7935;
+                Sample {
+                    force: force.into(),
+                    ..own
+                }
+            },
+            "write specific forces",
+        ),
+        (
+            |own| {
+                let rate = dataset::attitude(own.quaternion) * Vector3::from(own.rate);
+                Sample {
+                    rate: rate.into(),
+                    ..own
+                }
+            },
+            "along the axes of the body",
+        ),
+        (
+            |own| own.with_force(|[x, y, z]| [-z, y, x].map(|part| part / 9.80665)),
+            "accelerometer_axes = [\"+z\", \"+y\", \"-x\"]",
+        ),
+    ];
+    for (change, correction) in cases {
+        let told = told(true, change).map(|(_, correction)| correction);
+        let told = told.unwrap_or_default();
+        assert!(told.contains(correction), "{told} for {correction}");
+    }
+}
+
+#[test]
+fn a_gyroscope_with_the_sign_of_an_axis_wrong_is_named_without_poses() {
+    let flips: [fn(Sample) -> Sample; 3] = [
+        |own| own.with_rate(|all| all.map(|part| -part)),
+        |own| own.with_rate(|[x, y, z]| [-x, y, z]),
+        |own| own.with_rate(|[x, y, z]| [y, x, z]),
+    ];
+    for flip in flips {
+        let (kind, correction) = told(false, flip).expect("a fault");
+        assert_eq!(kind, FaultKind::AttitudeConvention);
+        assert!(correction.contains("gyroscope_axes"), "{correction}");
+    }
+    // Two axes with the other sign are those of a body that is turned over.
+    let turned = |own: Sample| own.with_rate(|[x, y, z]| [x, -y, -z]);
+    assert_eq!(told(false, turned), None);
+}
+
+#[test]
+fn poses_in_other_units_and_axes_are_named() {
+    let scaled = |unit: f64| {
+        move |own: Sample| Sample {
+            position: own.position.map(|part| part / unit),
+            ..own
+        }
+    };
+    for unit in [0.001, 0.0254, 0.3048] {
+        let told = told(true, scaled(unit));
+        let (kind, correction) = told.unwrap_or_else(|| panic!("no fault of unit {unit}"));
+        assert_eq!(kind, FaultKind::Units);
+        assert!(correction.ends_with(&unit.to_string()), "{correction}");
+    }
+    // A room with y up: both the positions and the attitudes are turned.
+    let y_up = |own: Sample| {
+        let to_y = UnitQuaternion::from_scaled_axis(-Vector3::x() * std::f64::consts::FRAC_PI_2);
+        let [x, y, z, w] = (to_y * dataset::attitude(own.quaternion)).coords.into();
+        Sample {
+            position: (to_y * Vector3::from(own.position)).into(),
+            quaternion: [w, x, y, z],
+            ..own
+        }
+    };
+    let (kind, _) = told(true, y_up).expect("a fault");
+    assert_eq!(kind, FaultKind::Axes);
+}
