@@ -81,18 +81,24 @@ pub fn other_unit(
     let units = OtherUnit::undetermined(dataset);
     let fails = |fit: &Fit| {
         let test = LackOfFit::of_fit(fit, options.threads()).ok()??;
-        Some(test.fails(LACK_OF_FIT_LEVEL) || fit.report.is_above_noise())
+        let fails = test.fails(LACK_OF_FIT_LEVEL) || fit.report.is_above_noise();
+        // Another unit leaves more than a little.
+        let is_far = fit.report.is_above_noise() || test.beyond_noise_m > test.noise_m;
+        Some((fails, fails && is_far))
     };
     let may_be_wrong = match as_they_are {
         Err(FitError::Interrupted | FitError::FaultyData(_)) => false,
         Err(_) => true,
-        Ok(fit) => !units.is_empty() && fails(fit) == Some(true),
+        Ok(fit) => !units.is_empty() && fails(fit).is_some_and(|(_, is_far)| is_far),
     };
     for unit in units.into_iter().filter(|_| may_be_wrong) {
         let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
         let converted = to_fit.map(|flight| unit.converted(flight.clone()));
         let found = tried(model, dataset, converted, options)?;
-        if found.and_then(|fit| fails(&fit)) == Some(false) {
+        if found
+            .and_then(|fit| fails(&fit))
+            .is_some_and(|(fails, _)| !fails)
+        {
             let why = "the flights fit to the noise in this unit, and not as they are";
             return Ok(unit.faults(dataset, why));
         }
