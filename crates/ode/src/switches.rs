@@ -168,8 +168,8 @@ impl Search<'_> {
                 passages.push(first_past_root(value, (a.0, b.0), ends, PASSAGE_WIDTH));
             }
         }
-        for place in first..passages.len() {
-            self.add(passages[place]);
+        for s in &passages[first..] {
+            self.add(*s);
         }
     }
 }

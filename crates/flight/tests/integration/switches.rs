@@ -1,7 +1,7 @@
 //! Narrow features of the state are not flown over: layers, jets, masts and switches placed at random.
 
 use flight::release::{Vocabulary, built_in, read};
-use flight::{BoundModel, CompiledModel, LaneModel};
+use flight::{BoundModel, CompiledModel, LaneModel, ModelState};
 use model_spec::EffectTree;
 use model_spec::load::from_text;
 use ode::{
@@ -90,7 +90,7 @@ fn flown(
     compiled: &CompiledModel,
     at: [f64; 2],
     options: &IntegrationOptions,
-) -> Endpoint<Box<[f64]>> {
+) -> Endpoint<ModelState> {
     let start = compiled.layout().default_states().into();
     let bound = compiled.bind(parameters(compiled, at));
     let flown = bound.integrate_to_end((0.0, &start), PATH, options, &mut []);
@@ -322,12 +322,12 @@ fn ordinary_models_cost_no_more_evaluations() {
 /// Evaluations of a flight with and without regard to switches.
 fn evaluations(
     bound: &BoundModel<'_>,
-    start: Box<[f64]>,
+    start: ModelState,
     options: &IntegrationOptions,
 ) -> [usize; 2] {
     let end = bound.integrate_to_end((0.0, &start), 2.0, options, &mut []);
     let mut rhs = bound.rhs();
-    let mut unwatched = rhs_from_fn(&[], |t, x: &Box<[f64]>, dx: &mut Box<[f64]>| {
+    let mut unwatched = rhs_from_fn(&[], |t, x: &ModelState, dx: &mut ModelState| {
         rhs.derivative(t, x, dx);
     });
     let plain = integrate_to_end(&mut unwatched, (0.0, &start), 2.0, options, &mut []);
