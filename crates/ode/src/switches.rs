@@ -3,7 +3,7 @@
 
 use crate::root::first_past_root;
 
-/// Reach of an argument beyond its values at the ends and the middle of a step, in units of its changes between them: a
+/// Reach of an argument beyond its values at the ends and the middle of a step, in units of their second difference: a
 /// parabola reaches at most an eighth beyond the three, a roof a half.
 const REACH: f64 = 1.0;
 
@@ -37,23 +37,27 @@ pub(crate) struct Cell {
     pub width: f64,
 }
 
-/// Whether two passages of levels are possible within a step; one alone shows in the derivatives at the ends.
-#[inline]
-pub(crate) fn may_have_cells(levels: &[Vec<f64>], points: Points<'_>) -> bool {
-    let mut possible = 0;
-    for (j, levels) in levels.iter().enumerate() {
-        let [start, middle, end] = points.map(|values| values[j]);
-        let reach = REACH * ((middle - start).abs() + (end - middle).abs());
-        if reach == 0.0 {
-            continue;
-        }
-        let least = start.min(middle).min(end) - reach;
-        let greatest = start.max(middle).max(end) + reach;
-        let within = index(levels, greatest) - index(levels, least).min(index(levels, greatest));
-        let returns = within > 0 && index(levels, start) == index(levels, end);
-        possible += within + usize::from(returns);
+/// Number of passages of levels that are possible within a step, by the values of an argument at its start, in its middle
+/// and at its end. One alone, of all arguments, is no cell: it shows in the derivatives at the ends.
+#[inline(always)]
+pub(crate) fn possible_passages(levels: &[f64], [start, middle, end]: [f64; 3]) -> usize {
+    let reach = REACH * (start - 2.0 * middle + end).abs();
+    let least = start.min(middle).min(end) - reach;
+    let greatest = start.max(middle).max(end) + reach;
+    let rests = least == greatest;
+    if rests || levels.last().is_none_or(|last| *last < least) || levels[0] > greatest {
+        return 0;
     }
-    possible > 1
+    let within = index(levels, greatest).saturating_sub(index(levels, least));
+    let returns = within > 0 && index(levels, start) == index(levels, end);
+    within + usize::from(returns)
+}
+
+/// Whether two passages of levels are possible within a step.
+pub(crate) fn may_have_cells(levels: &[Vec<f64>], points: Points<'_>) -> bool {
+    let of_argument =
+        |(j, levels): (usize, &Vec<f64>)| possible_passages(levels, points.map(|values| values[j]));
+    levels.iter().enumerate().map(of_argument).sum::<usize>() > 1
 }
 
 /// Cells of a step, in order of time; `arguments` computes the arguments at a fraction of it.

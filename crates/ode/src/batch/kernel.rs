@@ -154,6 +154,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
                 (*keep, any) = (0.0, true);
             }
             if any {
+                self.watch.knows_start = false;
                 let keep = T::load(&keep);
                 self.values.take(keep, &self.staging.values);
                 merge(keep, &self.staging.dx, self.stages.stage_mut(0));
@@ -357,6 +358,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
             }
             at_break[lane] = is_flying && time == self.control.segment_end[lane];
         }
+        self.advance_switches(T::load(&keep));
         let n = self.stages.n;
         let last = self.tableau.rows.len() * n;
         let k = &mut self.stages.k;
@@ -378,6 +380,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
     /// Begins the segments after time breaks, at which the derivatives may jump, in the SIMD lanes `at_break`.
     #[inline(always)]
     fn begin_segments(&mut self, at_break: &[bool; MAX_LANES]) {
+        self.watch.knows_start = false;
         let (mut keep, mut times) = ([1.0; MAX_LANES], self.control.t);
         for lane in (0..T::WIDTH).filter(|lane| at_break[*lane]) {
             keep[lane] = 0.0;

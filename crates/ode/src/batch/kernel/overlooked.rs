@@ -7,8 +7,9 @@ use super::Flying;
 use crate::batch::LanePoint;
 use crate::batch::control::MAX_LANES;
 use crate::batch::functions::Call;
+use crate::batch::staging::merge;
 use crate::dense_output::{DenseOutput, cubic};
-use crate::switches::{Cell, MAX_OVERLOOKED, cells, may_have_cells};
+use crate::switches::{Cell, MAX_OVERLOOKED, cells, possible_passages};
 use lanes::Lanes;
 
 /// Fractions of a step at which the arguments of switches are computed first.
@@ -18,6 +19,8 @@ const POINTS: [f64; 3] = [0.0, 0.5, 1.0];
 pub(super) struct Watch<T> {
     /// Arguments at the [`POINTS`].
     points: [Vec<T>; 3],
+    /// Whether the arguments at the start are known in every lane.
+    pub(super) knows_start: bool,
     /// Arguments at another point.
     within: Vec<T>,
     /// Rates of the state at that point.
@@ -31,6 +34,7 @@ impl<T: Lanes> Watch<T> {
         let zeros = || vec![T::splat(0.0); switches];
         Watch {
             points: [0; 3].map(|_| zeros()),
+            knows_start: false,
             within: zeros(),
             rates: vec![T::splat(0.0); states],
             cells: std::array::from_fn(|_| Vec::new()),
@@ -52,7 +56,7 @@ impl<T: Lanes> Flying<'_, T> {
             return found;
         }
         let last = self.tableau.rows.len();
-        for k in 0..POINTS.len() {
+        for k in usize::from(self.watch.knows_start)..POINTS.len() {
             let s = POINTS[k];
             for i in 0..self.stages.n {
                 let (a, b) = (self.values.x[i], self.end[i]);
@@ -63,7 +67,11 @@ impl<T: Lanes> Flying<'_, T> {
                 self.within[i] = a * r + b * s + s * r * bent;
             }
             let point = LanePoint {
-                t: T::splat(s).mul_add(h, t),
+                // The time at the end is, to the bit, that at the start of the next step.
+                t: match k {
+                    2 => T::load(&self.control.end),
+                    _ => T::splat(s).mul_add(h, t),
+                },
                 x: &self.within,
                 p: &self.values.p,
                 prepared: &self.values.prepared,
@@ -71,10 +79,31 @@ impl<T: Lanes> Flying<'_, T> {
             let to = &mut self.watch.points[k];
             self.rhs.call(Call::Switches(&point), &mut self.scratch, to);
         }
+        self.watch.knows_start = true;
+        let mut possible = [0; MAX_LANES];
+        let levels = self.rhs.switch_levels();
+        for j in 0..levels.len() {
+            let mut values = [[0.0; MAX_LANES]; 3];
+            for k in 0..POINTS.len() {
+                self.watch.points[k][j].store(&mut values[k]);
+            }
+            for lane in 0..T::WIDTH {
+                let [start, middle, end] = values;
+                let values = [start[lane], middle[lane], end[lane]];
+                possible[lane] += possible_passages(&levels[j], values);
+            }
+        }
         for lane in 0..T::WIDTH {
-            found[lane] = passes[lane] && self.has_cells(lane);
+            found[lane] = passes[lane] && possible[lane] > 1 && self.has_cells(lane);
         }
         found
+    }
+
+    /// Makes the arguments at the ends of the steps of the lanes whose element of `keep` is 0 those at the starts.
+    #[inline(always)]
+    pub(super) fn advance_switches(&mut self, keep: T) {
+        let [start, _, end] = &mut self.watch.points;
+        merge(keep, end, start);
     }
 
     /// Finds the cells of the step of one lane; whether there are any.
@@ -84,9 +113,6 @@ impl<T: Lanes> Flying<'_, T> {
         let points = self.watch.points.each_ref().map(of_lane);
         let points = points.each_ref().map(|values| &values[..]);
         let levels = self.rhs.switch_levels();
-        if !may_have_cells(levels, points) {
-            return false;
-        }
         let (t, h) = (self.control.t[lane], self.control.h[lane]);
         let last = self.tableau.rows.len();
         let (x, end) = (&self.values.x, &self.end);
