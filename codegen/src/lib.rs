@@ -27,6 +27,7 @@ pub mod rust;
 mod schedule;
 mod specialize;
 mod ssa;
+pub mod switches;
 pub mod table;
 pub mod tape;
 pub mod tape_model;

@@ -15,7 +15,7 @@ pub struct TapeFunction {
 }
 
 impl TapeFunction {
-    fn new(function: &Function) -> TapeFunction {
+    pub(crate) fn new(function: &Function) -> TapeFunction {
         TapeFunction {
             tape: Tape::new(&function.program),
             sections: function.sections.clone(),

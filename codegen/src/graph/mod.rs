@@ -6,6 +6,7 @@
 
 mod calls;
 mod hash;
+mod held;
 mod product;
 mod project;
 mod saturate;

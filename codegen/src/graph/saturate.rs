@@ -98,7 +98,12 @@ impl ExprGraph {
     }
 
     /// Node of the sum `sum` times e^-u, where `exponential` is e^u, a factor of some of its terms.
-    fn divided_by_exponential(&mut self, sum: NodeId, exponential: NodeId, u: NodeId) -> NodeId {
+    pub(super) fn divided_by_exponential(
+        &mut self,
+        sum: NodeId,
+        exponential: NodeId,
+        u: NodeId,
+    ) -> NodeId {
         let Node::Sum(terms, constant) = self.node(sum).clone() else {
             return sum;
         };

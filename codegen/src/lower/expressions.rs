@@ -75,15 +75,22 @@ impl Lowering<'_> {
             E::Sub(a, b) => self.termwise(a, b, ExprGraph::sub),
             E::Mul(a, b) => match (self.evaluate(a), self.evaluate(b)) {
                 (Value::Vector(v), Value::Scalar(s)) | (Value::Scalar(s), Value::Vector(v)) => {
-                    Value::Vector(frames::scale(&mut self.graph, s, v))
+                    let scaled = frames::scale(&mut self.graph, s, v);
+                    Value::Vector(scaled.map(|part| self.graph.held_product(part)))
                 }
-                (a, b) => Value::Scalar(self.graph.times(first(a), first(b))),
+                (a, b) => {
+                    let product = self.graph.times(first(a), first(b));
+                    Value::Scalar(self.graph.held_product(product))
+                }
             },
             E::Div(a, b) => {
                 let (a, b) = (self.evaluate(a), self.scalar(b));
                 // the model checker has verified that the divisor is nonzero
                 self.graph.assume_nonzero(b);
-                a.map(|component| self.graph.over(component, b))
+                a.map(|component| {
+                    let quotient = self.graph.over(component, b);
+                    self.graph.held_product(quotient)
+                })
             }
             E::Ratio(parts) => {
                 let [a, b, otherwise] =
@@ -142,7 +149,10 @@ impl Lowering<'_> {
             }
             E::Call(function, x) => {
                 let x = self.scalar(x);
-                Value::Scalar(self.named(*function, x))
+                Value::Scalar(match function {
+                    Named::Log => self.graph.held_logarithm(x),
+                    _ => self.named(*function, x),
+                })
             }
             E::Lookup(index, a, b) => {
                 let table = TableFunction::value_of(TableId::new(*index));

@@ -4,6 +4,7 @@ use crate::constraints::Constraints;
 use crate::functions::{ModelFunctions, SparsityPatterns};
 use crate::initial_conditions::Release;
 use crate::inputs::{FlightParameters, InputsOverTime};
+use crate::switches::SwitchTape;
 use crate::time_breaks::TimeBreaks;
 use codegen::Layout;
 use codegen::compile::{Compiled, Effort, Selection, compile, compile_at, compile_for};
@@ -24,6 +25,7 @@ pub struct CompiledModel {
     pub(crate) functions: ModelFunctions,
     pub(crate) patterns: SparsityPatterns,
     pub(crate) time_breaks: TimeBreaks,
+    pub(crate) switches: Option<SwitchTape>,
     pub(crate) constraints: Option<Arc<Constraints>>,
 }
 
@@ -131,6 +133,7 @@ impl CompiledModel {
         let layout = Layout::new(model);
         CompiledModel {
             time_breaks: TimeBreaks::of(model, &layout),
+            switches: SwitchTape::of(model),
             constraints: Constraints::of(model).map(Arc::new),
             layout,
             limits: limits.map(|l| (l.bound, l.reason.clone())).collect(),

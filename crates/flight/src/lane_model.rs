@@ -7,6 +7,7 @@ use std::sync::OnceLock;
 use crate::CompiledModel;
 use crate::inputs::InputsOverTime;
 use crate::single_flights;
+use crate::switches::SwitchTape;
 use crate::time_breaks::TimeBreaks;
 use codegen::Layout;
 use codegen::compile::{Selection, compile_for};
@@ -34,6 +35,7 @@ pub struct LaneModel {
     /// Lower bounds of the validity limits, SI, in the order of the model's limits.
     bounds: Vec<f64>,
     time_breaks: TimeBreaks,
+    switches: Option<SwitchTape>,
     /// Inputs over time, the same in all flights.
     inputs: InputsOverTime,
 }
@@ -57,6 +59,7 @@ impl LaneModel {
             constrained: OnceLock::new(),
             bounds: model.limits.iter().map(|limit| limit.bound).collect(),
             time_breaks: TimeBreaks::of(model, &Layout::new(model)),
+            switches: SwitchTape::of(model),
             inputs: InputsOverTime::default(),
         }
     }
@@ -134,6 +137,22 @@ impl LaneModel {
         breaks.sort_unstable_by(f64::total_cmp);
     }
 
+    fn switch_levels(&self) -> &[Vec<f64>] {
+        self.switches.as_ref().map_or(&[], |own| &own.levels)
+    }
+
+    fn switch_registers(&self) -> usize {
+        let switches = self.switches.as_ref();
+        switches.map_or(0, |own| own.arguments.tape.registers())
+    }
+
+    #[inline(always)]
+    fn switch_arguments<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]) {
+        if let Some(own) = &self.switches {
+            evaluate(&own.arguments, at, scratch, to);
+        }
+    }
+
     /// Number of margins: of the validity limits of the model, and of the ends of the inputs.
     fn limits(&self) -> usize {
         self.bounds.len() + self.inputs.iter().count()
@@ -190,12 +209,21 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
             parameters: E::MODEL.parameters.len(),
             prepared: E::MODEL.prepared.len(),
             limits: self.model.limits(),
-            scratch: 0,
+            scratch: self.model.switch_registers(),
         }
     }
 
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
         self.model.breaks(p, breaks);
+    }
+
+    fn switch_levels(&self) -> &[Vec<f64>] {
+        self.model.switch_levels()
+    }
+
+    #[inline(always)]
+    fn switch_arguments<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]) {
+        self.model.switch_arguments(at, scratch, to);
     }
 
     #[inline(always)]
@@ -231,12 +259,26 @@ impl LaneRhs for TapeRhs<'_> {
             prepared: tape.prepared,
             limits: self.model.limits(),
             scratch: self.model.varied(tape.parameters)
-                + of(&tape.prepare).max(of(&tape.f)).max(of(&tape.limits)),
+                + of(&tape.prepare)
+                    .max(of(&tape.f))
+                    .max(of(&tape.limits))
+                    .max(self.model.switch_registers()),
         }
     }
 
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
         self.model.breaks(p, breaks);
+    }
+
+    fn switch_levels(&self) -> &[Vec<f64>] {
+        self.model.switch_levels()
+    }
+
+    #[inline(always)]
+    fn switch_arguments<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]) {
+        self.within(at, scratch, |at, scratch| {
+            self.model.switch_arguments(at, scratch, to);
+        });
     }
 
     #[inline(always)]

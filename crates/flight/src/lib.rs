@@ -47,6 +47,7 @@ mod release_file;
 mod rhs;
 mod simulate;
 mod single_flights;
+mod switches;
 pub mod table;
 pub mod throw;
 mod time_breaks;

@@ -3,6 +3,7 @@
 use crate::{BoundModel, ModelState, Workspace};
 use ode::{DifferentiableRhs, OdeRhs, Projection};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// Right-hand side dx/dt = f(t, x) of a bound model, with Jacobians by the states and all parameters if asked for.
 pub struct ModelRhs<'a> {
@@ -38,6 +39,14 @@ impl OdeRhs for ModelRhs<'_> {
 
     fn time_breaks(&self) -> &[f64] {
         &self.model.time_breaks
+    }
+
+    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
+        DifferentiableRhs::switch_levels(self)
+    }
+
+    fn switch_arguments(&mut self, t: f64, x: &ModelState, to: &mut [f64]) {
+        DifferentiableRhs::switch_arguments(self, t, x, to);
     }
 
     fn state_name(&self, component: usize) -> Cow<'_, str> {
@@ -80,6 +89,18 @@ impl DifferentiableRhs for ModelRhs<'_> {
 
     fn time_breaks(&self) -> &[f64] {
         &self.model.time_breaks
+    }
+
+    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
+        let switches = self.model.model.switches.as_ref();
+        switches.map(|own| own.levels.clone())
+    }
+
+    fn switch_arguments(&mut self, t: f64, x: &[f64], to: &mut [f64]) {
+        if let Some(own) = &self.model.model.switches {
+            let at = self.model.at(t, x, &mut self.parameters);
+            own.arguments.eval(at, &[], &mut self.workspace, &mut [to]);
+        }
     }
 
     fn state_name(&self, state: usize) -> Cow<'_, str> {

@@ -57,6 +57,13 @@ impl DenseOutput<'_> {
         }
     }
 
+    /// Derivative of component `i` of the state, not projected, by the fraction `s` of the step.
+    pub(crate) fn slope(&self, s: f64, i: usize) -> f64 {
+        let slopes = self.method.slopes(s, self.h);
+        let terms = self.rows.iter().zip(slopes).skip(1);
+        terms.map(|(row, slope)| slope * row[i]).sum()
+    }
+
     /// Component `i` of the state at the fraction `s`, not projected, with the bits of [`state`](Self::state) of a short
     /// state.
     pub(crate) fn component(&self, s: f64, i: usize) -> f64 {

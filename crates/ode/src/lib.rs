@@ -47,6 +47,7 @@ mod root;
 mod sensitivity;
 mod solver;
 mod step_control;
+mod switches;
 mod time_breaks;
 mod trajectory;
 

@@ -2,6 +2,7 @@
 
 use crate::projection::Projection;
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// State vector of an initial value problem: `[f64; N]`, or `Box<[f64]>` or `Vec<f64>` of any length.
 pub trait StateVector: Clone + AsRef<[f64]> + AsMut<[f64]> {}
@@ -34,6 +35,18 @@ pub trait OdeRhs {
     /// with f just after it. None by default.
     fn time_breaks(&self) -> &[f64] {
         &[]
+    }
+
+    /// Increasing levels of each of the arguments that [`switch_arguments`](Self::switch_arguments) computes: between two
+    /// of them f may differ from what it is on both sides, and a step that passes both looks there. None by default.
+    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
+        None
+    }
+
+    /// Writes the arguments of functions within f that switch, such as the height of a layer of wind; one that depends
+    /// on another comes after it.
+    fn switch_arguments(&mut self, t: f64, x: &Self::State, to: &mut [f64]) {
+        let _ = (t, x, to);
     }
 
     /// Name of a state component, used in error messages only.

@@ -1,5 +1,8 @@
 //! Step loop of an integration: error test, event location, and calls of the step observer.
 
+mod overlooked;
+
+use self::overlooked::Watch;
 use crate::dense_output::{DenseOutput, HermiteStep};
 use crate::event::{Event, EventAction, Occurrence};
 use crate::input::{check_input, failure, first_non_finite, non_finite_derivative, step_too_small};
@@ -69,6 +72,8 @@ struct Solver<'s, 'e, D: OdeRhs> {
     stepper: Stepper<D::State>,
     dense_buffer: Vec<f64>,
     scratch: D::State,
+    /// `None` where the right-hand side has no switches.
+    watch: Option<Watch>,
     log: EventLog,
     stats: SolverStats,
 }
@@ -121,6 +126,7 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
             dense_buffer: Vec::new(),
             scratch: x.clone(),
             stepper: Stepper::new(options.method, x, dx),
+            watch: rhs.switch_levels().map(Watch::new),
             log: EventLog::default(),
             stats: SolverStats {
                 evaluations,
@@ -168,6 +174,9 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
     /// Computes the derivative at the start of the next step.
     #[cold]
     fn begin_step(&mut self) {
+        if let Some(watch) = &mut self.watch {
+            watch.begin();
+        }
         let start = just_after(self.rhs.time_breaks(), self.t);
         let (x, dx) = self.stepper.start_mut();
         self.rhs.derivative(start, x, dx);
@@ -196,14 +205,22 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
                 return Err(self.too_many_steps());
             }
             let error = self.try_step(end);
-            if error <= 1.0 {
+            let overlooked = match error <= 1.0 {
+                true => self.overlooked(end),
+                false => None,
+            };
+            if error <= 1.0 && overlooked.is_none() {
                 self.stats.steps += 1;
                 let (factor, memory) = self.gains.after_accepted(self.memory, error);
                 (self.h, self.memory) = (end.h * factor, memory);
+                if let Some(watch) = &mut self.watch {
+                    watch.advance();
+                }
                 return Ok(end);
             }
             self.stats.rejected += 1;
-            self.h = end.h * self.gains.after_rejected(&mut self.memory, error);
+            let retried = self.gains.after_rejected(&mut self.memory, error);
+            self.h = end.h * overlooked.unwrap_or(retried);
             if self.h <= self.min_step {
                 let (x, dx) = (&self.stepper.x, self.stepper.dx());
                 return Err(step_too_small(self.rhs, self.t, x, dx, self.h));

@@ -269,8 +269,10 @@ impl<'a, T: Real> Tree<'a, T> {
                 Vector(a) => Vector(a - self.vector(b)),
             },
             K::Mul(a, b) => match (self.value(a), self.value(b)) {
-                (Scalar(a), Scalar(b)) => Scalar(a * b),
-                (Scalar(s), Vector(v)) | (Vector(v), Scalar(s)) => Vector(v * s),
+                (Scalar(a), Scalar(b)) => Scalar(product(a, b)),
+                (Scalar(s), Vector(v)) | (Vector(v), Scalar(s)) => {
+                    Vector(v.map(|part| product(part, s)))
+                }
                 (Vector(_), Vector(_)) => panic!("at most one vector factor, by the checker"),
             },
             K::Div(a, b) => {
@@ -349,6 +351,15 @@ impl<'a, T: Real> Tree<'a, T> {
             }
         }
     }
+}
+
+/// Product of two scalars; 0 where one is 0 with derivative 0, as a switch that is off, and the other overflows.
+fn product<T: Real>(a: T, b: T) -> T {
+    let vanishes = |a: T, b: T| a.is_zero() && b.re().is_infinite();
+    if vanishes(a, b) || vanishes(b, a) {
+        return T::zero();
+    }
+    a * b
 }
 
 /// Euclidean norm of a vector; 0 with derivative 0 at the zero vector.

@@ -8,6 +8,7 @@ mod release;
 mod several_bodies;
 mod singular_points;
 mod solved;
+mod switches;
 mod table;
 mod throw;
 mod throw_signs;

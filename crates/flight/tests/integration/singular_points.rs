@@ -89,6 +89,81 @@ fn smooth_switches_have_finite_derivatives_far_from_the_switch() {
     }
 }
 
+/// Laws that are finite where an exponential within them overflows, each with its value by the speed.
+#[test]
+fn exponentials_that_a_switch_turns_off_may_overflow() {
+    type Law = (&'static str, fn(f64) -> f64);
+    let laws: [Law; 8] = [
+        ("a*step(V - V_0)*exp(-(V - V_0)/w)", |v| {
+            0.4 * off(v - 12.0, 1.0)
+        }),
+        ("exp(-(V - V_0)/w)*a*step(V - V_0)", |v| {
+            0.4 * off(v - 12.0, 1.0)
+        }),
+        ("(1 - step(V_0 - V))*exp((V_0 - V)/w)/2", |v| {
+            0.5 * off(v - 12.0, 1.0)
+        }),
+        ("a*step(V - V_0)*(2 - exp(-(V - V_0)/w))", |v| {
+            if v > 12.0 {
+                0.8 - 0.4 * (-(v - 12.0) / 0.01).exp()
+            } else {
+                0.0
+            }
+        }),
+        ("a*max((V - V_0)/V_0, 0)*exp(-(V - V_0)/w)", |v| {
+            0.4 * off(v - 12.0, (v - 12.0) / 12.0)
+        }),
+        ("a*step(V - V_0)/exp((V - V_0)/w)", |v| {
+            0.4 * off(v - 12.0, 1.0)
+        }),
+        ("a*w/V_0*log(1 + exp((V - V_0)/w))", |v| {
+            0.4 * 0.01 / 12.0 * softplus(v)
+        }),
+        ("a*w/V_0*log(2 + 3*exp((V - V_0)/w))", |v| {
+            let u = (v - 12.0) / 0.01;
+            0.4 * 0.01 / 12.0
+                * (u.max(0.0) + (2.0 * (-u.max(0.0)).exp() + 3.0 * (u.min(0.0)).exp()).ln())
+        }),
+    ];
+    for (law, value) in laws {
+        let model = drag(law);
+        for vx in [0.5, 4.0, 11.9, 12.004, 12.1, 19.0, 36.0, 3e3] {
+            let (found, derivatives) = along_x(&model, vx);
+            let expected = -value(vx) / 0.1;
+            let scale = expected.abs().max(1e-300);
+            assert!(
+                (found - expected).abs() <= 1e-12 * scale,
+                "{law} at {vx}: {found} {expected}"
+            );
+            assert!(
+                derivatives.iter().all(|d| d.is_finite()),
+                "{law} at {vx}: {derivatives:?}"
+            );
+            let d = 1e-6;
+            let difference = -(value(vx + d) - value(vx - d)) / (2.0 * d) / 0.1;
+            let error = (derivatives[0] - difference).abs();
+            assert!(
+                error <= 1e-5 * difference.abs() + 1e-8,
+                "{law} at {vx}: {derivatives:?} {difference}"
+            );
+        }
+    }
+}
+
+/// `factor` e^(-past/w) where `past`, a speed beyond a switch, is above 0, else 0.
+fn off(past: f64, factor: f64) -> f64 {
+    match past > 0.0 {
+        true => factor * (-past / 0.01).exp(),
+        false => 0.0,
+    }
+}
+
+/// log(1 + e^u) of u = (v - 12)/0.01, by a formula that does not overflow.
+fn softplus(v: f64) -> f64 {
+    let u = (v - 12.0) / 0.01;
+    u.max(0.0) + (-u.abs()).exp().ln_1p()
+}
+
 #[test]
 fn a_power_with_a_coefficient_as_exponent_vanishes_at_rest() {
     let model = drag("a*(V/V_0)^n");

@@ -150,11 +150,14 @@ impl Control {
         }
     }
 
+    /// Counts a step as rejected, and proposes the part `cut` of its size, or one by its error. Whether that is enough
+    /// for a step.
     #[inline(always)]
-    pub(crate) fn reject(&mut self, lane: usize, error: f64) -> bool {
+    pub(crate) fn reject(&mut self, lane: usize, error: f64, cut: Option<f64>) -> bool {
         self.rejected[lane] += 1;
         let mut memory = self.memory(lane);
-        self.proposed[lane] = self.h[lane] * self.gains.after_rejected(&mut memory, error);
+        let retried = self.gains.after_rejected(&mut memory, error);
+        self.proposed[lane] = self.h[lane] * cut.unwrap_or(retried);
         self.remember(lane, memory);
         self.proposed[lane] > self.min_step
     }

@@ -10,6 +10,7 @@ pub(crate) enum Call<'a, T> {
     Prepare(&'a [T]),
     Derivative(&'a LanePoint<'a, T>),
     Limits(&'a LanePoint<'a, T>),
+    Switches(&'a LanePoint<'a, T>),
 }
 
 /// A [`LaneRhs`] evaluated on SIMD lanes of the type `T`. The functions are compiled for the instruction set of these
@@ -17,6 +18,7 @@ pub(crate) enum Call<'a, T> {
 pub(crate) trait LaneFunctions<T> {
     fn sizes(&self) -> LaneSizes;
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>);
+    fn switch_levels(&self) -> &[Vec<f64>];
     fn call(&self, call: Call<'_, T>, scratch: &mut [T], to: &mut [T]);
 }
 
@@ -27,6 +29,10 @@ impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
 
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
         LaneRhs::time_breaks(self, p, breaks);
+    }
+
+    fn switch_levels(&self) -> &[Vec<f64>] {
+        LaneRhs::switch_levels(self)
     }
 
     fn call(&self, call: Call<'_, T>, scratch: &mut [T], to: &mut [T]) {
@@ -56,6 +62,7 @@ impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Outlined<'_, T, R> {
             Call::Prepare(p) => rhs.prepare(p, scratch, to),
             Call::Derivative(at) => rhs.derivative(*at, scratch, to),
             Call::Limits(at) => rhs.limits(*at, scratch, to),
+            Call::Switches(at) => rhs.switch_arguments(*at, scratch, to),
         }
     }
 }

@@ -1,7 +1,9 @@
 //! Step loop of the batch integration, with one flight per lane.
 
+mod overlooked;
 mod stop;
 
+use self::overlooked::Watch;
 use super::control::{Control, MAX_LANES};
 use super::events::HeightEnds;
 use super::functions::{Call, LaneFunctions};
@@ -78,6 +80,7 @@ struct Flying<'a, T> {
     /// Margins of the limits of validity (positive where the right-hand side is valid): in the middle of the step, at
     /// its end, and at the trial point of the search for a crossing.
     margins: [Vec<T>; 3],
+    watch: Watch<T>,
     scratch: Vec<T>,
     heights: [HeightEnds; MAX_LANES],
     /// Work array for the state of one lane; `rows` is the work array for the dense-output coefficients of one lane.
@@ -118,6 +121,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
             end: zeros(sizes.states),
             within: zeros(sizes.states),
             margins: [0; 3].map(|_| zeros(sizes.limits)),
+            watch: Watch::new(rhs.switch_levels().len(), sizes.states),
             scratch: zeros(sizes.scratch),
             heights: [HeightEnds::default(); MAX_LANES],
             state: vec![0.0; sizes.states],
@@ -150,6 +154,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
                 (*keep, any) = (0.0, true);
             }
             if any {
+                self.watch.knows_start = false;
                 let keep = T::load(&keep);
                 self.values.take(keep, &self.staging.values);
                 merge(keep, &self.staging.dx, self.stages.stage_mut(0));
@@ -180,18 +185,33 @@ impl<'a, T: Lanes> Flying<'a, T> {
         }
         self.control.set_steps(T::WIDTH);
         let (t, h) = (T::load(&self.control.t), T::load(&self.control.h));
-        let mut accepted = [false; MAX_LANES];
+        let (mut errors, mut passes) = ([0.0; MAX_LANES], [false; MAX_LANES]);
         let mut asks = [false; MAX_LANES];
+        let mut has_cells = [false; MAX_LANES];
         // A loop, so that the stages are compiled once: first for the step, then for its dense output.
         for is_dense in [false, true] {
-            if is_dense && !asks.iter().any(|ask| *ask) {
+            if is_dense && !asks.iter().chain(&has_cells).any(|ask| *ask) {
                 break;
             }
             self.run_stages(t, h, is_dense);
             if !is_dense {
-                accepted = self.judge(h, queue);
-                asks = self.attention(t, h, &accepted);
+                self.error_norms(h, &mut errors);
+                for lane in 0..T::WIDTH {
+                    passes[lane] = self.control.flight[lane].is_some() && errors[lane] <= 1.0;
+                }
+                asks = self.attention(t, h, &passes);
+                has_cells = self.find_cells(t, h, &passes);
             }
+        }
+        let mut cuts = [None; MAX_LANES];
+        for lane in 0..T::WIDTH {
+            if has_cells[lane] {
+                cuts[lane] = self.overlooked(lane, h);
+            }
+        }
+        let accepted = self.judge(&errors, &cuts, queue);
+        for lane in 0..T::WIDTH {
+            asks[lane] &= accepted[lane];
         }
         if asks.iter().any(|ask| *ask) {
             self.stop(&asks, h, queue);
@@ -226,13 +246,27 @@ impl<'a, T: Lanes> Flying<'a, T> {
         self.evaluations += rows.len() as u64;
     }
 
-    /// Applies the error test; ends flights whose next step would be too small. Whether each lane's step is accepted.
     #[inline(always)]
-    fn judge(&mut self, h: T, queue: &mut dyn FlightQueue) -> [bool; MAX_LANES] {
+    fn error_norms(&self, h: T, errors: &mut [f64; MAX_LANES]) {
         let ends = (&self.values.x[..], &self.end[..]);
-        let norm = error_norm(self.tableau, &self.stages, ends, h, &self.tolerance);
-        let (mut errors, mut accepted) = ([0.0; MAX_LANES], [false; MAX_LANES]);
-        norm.store(&mut errors);
+        error_norm(self.tableau, &self.stages, ends, h, &self.tolerance).store(errors);
+    }
+
+    /// Applies the error test, and cuts steps at the fractions `cuts`; ends flights whose next step would be too small.
+    /// Whether each lane's step is accepted.
+    #[inline(always)]
+    fn judge(
+        &mut self,
+        errors: &[f64; MAX_LANES],
+        cuts: &[Option<f64>; MAX_LANES],
+        queue: &mut dyn FlightQueue,
+    ) -> [bool; MAX_LANES] {
+        let (mut errors, mut accepted) = (*errors, [false; MAX_LANES]);
+        for lane in 0..T::WIDTH {
+            if cuts[lane].is_some() {
+                errors[lane] = f64::INFINITY;
+            }
+        }
         self.control.accept(&errors);
         for lane in 0..T::WIDTH {
             if self.control.flight[lane].is_none() {
@@ -240,7 +274,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
             }
             if errors[lane] <= 1.0 {
                 accepted[lane] = true;
-            } else if !self.control.reject(lane, errors[lane]) {
+            } else if !self.control.reject(lane, errors[lane], cuts[lane]) {
                 let (outcome, time) = (FlightOutcome::StepTooSmall, self.control.t[lane]);
                 self.finish(lane, outcome, time, EndState::Start, queue);
             }
@@ -324,6 +358,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
             }
             at_break[lane] = is_flying && time == self.control.segment_end[lane];
         }
+        self.advance_switches(T::load(&keep));
         let n = self.stages.n;
         let last = self.tableau.rows.len() * n;
         let k = &mut self.stages.k;
@@ -345,6 +380,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
     /// Begins the segments after time breaks, at which the derivatives may jump, in the SIMD lanes `at_break`.
     #[inline(always)]
     fn begin_segments(&mut self, at_break: &[bool; MAX_LANES]) {
+        self.watch.knows_start = false;
         let (mut keep, mut times) = ([1.0; MAX_LANES], self.control.t);
         for lane in (0..T::WIDTH).filter(|lane| at_break[*lane]) {
             keep[lane] = 0.0;

@@ -62,6 +62,15 @@ pub trait LaneRhs {
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
         let _ = (p, breaks);
     }
+    /// Levels of the arguments of switches, as [`OdeRhs::switch_levels`](crate::OdeRhs::switch_levels).
+    fn switch_levels(&self) -> &[Vec<f64>] {
+        &[]
+    }
+    /// Writes the arguments of switches, one for each of the [`switch_levels`](Self::switch_levels).
+    #[inline(always)]
+    fn switch_arguments<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]) {
+        let _ = (at, scratch, to);
+    }
     /// Writes the margin of each limit of validity; the right-hand side is valid where all are above 0.
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
 }

@@ -91,6 +91,22 @@ pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     ]
 }
 
+/// Derivatives of the [`weights`] by `s`.
+pub(crate) fn slopes(s: f64) -> [f64; ROWS] {
+    let (sr, d) = (s * (1.0 - s), 1.0 - 2.0 * s);
+    let [one, two] = [2.0 * sr * d, 3.0 * sr * sr * d];
+    [
+        0.0,
+        1.0,
+        d,
+        sr + s * d,
+        one,
+        sr * sr + s * one,
+        two,
+        sr * sr * sr + s * two,
+    ]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -40,6 +40,14 @@ impl Method {
             Method::Dop853 => dop853::weights(s),
         }
     }
+
+    /// Derivatives of the [`weights`](Self::weights) by `s`.
+    pub(crate) fn slopes(self, s: f64, h: f64) -> [f64; ROWS] {
+        match self {
+            Method::Tsit5 => tsit5::slopes(s).map(|slope| h * slope),
+            Method::Dop853 => dop853::slopes(s),
+        }
+    }
 }
 
 /// Number of coefficient vectors ("rows") of the dense output of one step, the same for Tsit5 and DOP853.
@@ -279,4 +287,23 @@ fn slices<X: StateVector, const M: usize>(k: &[X], n: usize) -> [&[f64]; M] {
         slices[m] = &k[m].as_ref()[..n];
     }
     slices
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_are_the_derivatives_of_the_weights() {
+        for method in [Method::Tsit5, Method::Dop853] {
+            for k in 0..=10 {
+                let (s, d) = (0.1 * f64::from(k), 1e-5);
+                let [below, above] = [s - d, s + d].map(|s| method.weights(s, 0.7));
+                for (row, slope) in method.slopes(s, 0.7).into_iter().enumerate() {
+                    let expected = (above[row] - below[row]) / (2.0 * d);
+                    assert!((slope - expected).abs() < 1e-7, "{method:?} {row} at {s}");
+                }
+            }
+        }
+    }
 }

@@ -100,6 +100,15 @@ pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     weights
 }
 
+/// Derivatives of the [`weights`] by `s`, without the factor of the step size.
+pub(crate) fn slopes(s: f64) -> [f64; ROWS] {
+    let mut slopes = [0.0; ROWS];
+    for (slope, [a, b, c, d]) in slopes[1..].iter_mut().zip(INTERPOLANT) {
+        *slope = a + s * (2.0 * b + s * (3.0 * c + s * 4.0 * d));
+    }
+    slopes
+}
+
 /// Weight of each stage in the order-4 interpolant: coefficients of s, s², s³ and s⁴, the fraction s of the step.
 pub(crate) const INTERPOLANT: [[f64; 4]; ROWS - 1] = [
     first_weight(),

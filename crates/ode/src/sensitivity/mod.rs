@@ -34,6 +34,14 @@ pub trait DifferentiableRhs {
     fn projection(&self) -> Option<Projection>;
     /// Times at which f may jump, as [`OdeRhs::time_breaks`].
     fn time_breaks(&self) -> &[f64];
+    /// Levels of the arguments of switches, as [`OdeRhs::switch_levels`].
+    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
+        None
+    }
+    /// Arguments of switches, as [`OdeRhs::switch_arguments`].
+    fn switch_arguments(&mut self, t: f64, x: &[f64], to: &mut [f64]) {
+        let _ = (t, x, to);
+    }
     /// Name of a state, used in error messages only.
     fn state_name(&self, state: usize) -> Cow<'_, str> {
         format!("state {state}").into()
@@ -207,6 +215,15 @@ impl OdeRhs for Sensitivities<'_> {
 
     fn time_breaks(&self) -> &[f64] {
         self.rhs.time_breaks()
+    }
+
+    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
+        self.rhs.switch_levels()
+    }
+
+    fn switch_arguments(&mut self, t: f64, augmented: &AlignedVec, to: &mut [f64]) {
+        let x = &augmented.as_ref()[..self.layout.states];
+        self.rhs.switch_arguments(t, x, to);
     }
 
     fn state_name(&self, component: usize) -> Cow<'_, str> {

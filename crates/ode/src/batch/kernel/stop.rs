@@ -144,18 +144,25 @@ impl<T: Lanes> Flying<'_, T> {
         T::splat(-2.0 * REACH).mul_add(change, middle[limit].min(end[limit]))
     }
 
-    /// Fraction of the step at which the flight in a lane first crosses the limit of validity with the index `limit`.
+    /// Writes the coefficients of the dense output of one lane to its work array.
     #[inline(always)]
-    fn limit_crossing(&mut self, lane: usize, limit: usize, h: T) -> Option<f64> {
-        if self.least_margin(limit).lane(lane) > 0.0 {
-            return None;
-        }
+    pub(super) fn fill_rows(&mut self, lane: usize, h: T) {
         let n = self.within.len();
         for i in 0..n {
             for (k, row) in self.dense_rows(i, h).into_iter().enumerate() {
                 self.rows[k * n + i] = row.lane(lane);
             }
         }
+    }
+
+    /// Fraction of the step at which the flight in a lane first crosses the limit of validity with the index `limit`.
+    #[inline(always)]
+    fn limit_crossing(&mut self, lane: usize, limit: usize, h: T) -> Option<f64> {
+        if self.least_margin(limit).lane(lane) > 0.0 {
+            return None;
+        }
+        self.fill_rows(lane, h);
+        let n = self.within.len();
         let step = DenseOutput {
             method: self.tableau.method,
             t: self.control.t[lane],

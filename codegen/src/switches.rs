@@ -1,0 +1,169 @@
+//! Arguments of the functions that switch, such as `tanh`, `step` and tables: between two levels of such an argument the
+//! equations of motion may differ from what they are on both sides.
+
+use crate::compile::{dense, scheduled_values};
+use crate::functions::{BinaryFunction, MathFunction};
+use crate::graph::{ExprGraph, Node, NodeId, Symbol};
+use crate::lower::{Lowered, lower};
+use crate::program::Function;
+use crate::tape_model::TapeFunction;
+use model_spec::model::{Expr, ExprKind, Function as Named, Model};
+
+/// Levels of the argument of an exponential or a hyperbolic tangent. Beyond the last, e^-32 = 1e-14 is a rounding error;
+/// with fewer between them, some of the pulses of the tests are flown over.
+const SMOOTH_LEVELS: [f64; 6] = [-32.0, -8.0, -2.0, 2.0, 8.0, 32.0];
+
+/// Arguments of the functions of a model's equations of motion that switch.
+#[derive(Clone, Debug)]
+pub struct Switches {
+    /// Computes the arguments from time, state and parameters, without invariants; one within another comes first.
+    pub arguments: TapeFunction,
+    /// Increasing values of each argument that separate the pieces of its functions: knots, zeros.
+    pub levels: Vec<Vec<f64>>,
+}
+
+impl Switches {
+    /// Switches of `model` that depend on the state, and smooth ones of the time; `None` if there are none.
+    pub fn of(model: &Model) -> Option<Switches> {
+        if !model.expressions().into_iter().any(has_switch) {
+            return None;
+        }
+        let Lowered {
+            mut graph,
+            layout,
+            dx,
+            ..
+        } = lower(model);
+        let (arguments, levels) = collected(&mut graph, &dx);
+        if arguments.is_empty() {
+            return None;
+        }
+        let function = Function {
+            name: "switches",
+            program: scheduled_values(&mut graph, &layout, &arguments),
+            sections: vec![dense("switches", arguments.len())],
+            results: Vec::new(),
+        };
+        Some(Switches {
+            arguments: TapeFunction::new(&function),
+            levels,
+        })
+    }
+}
+
+/// Whether an expression has a function that may switch: the graph of most models need not be built for an answer.
+fn has_switch(expression: &Expr) -> bool {
+    let mut found = false;
+    expression.walk(&mut |e| {
+        found |= match &e.kind {
+            ExprKind::Lookup(..)
+            | ExprKind::Min(..)
+            | ExprKind::Max(..)
+            | ExprKind::RealPower(..) => true,
+            ExprKind::Call(function, _) => {
+                !matches!(function, Named::Sin | Named::Cos | Named::Tan | Named::Atan)
+            }
+            _ => false,
+        };
+    });
+    found
+}
+
+/// Nodes of the arguments on which `roots` depend, inner ones first, and their levels.
+fn collected(graph: &mut ExprGraph, roots: &[NodeId]) -> (Vec<NodeId>, Vec<Vec<f64>>) {
+    let (mut arguments, mut levels): (Vec<NodeId>, Vec<Vec<f64>>) = Default::default();
+    let mut motion = Motion::default();
+    for node in graph.reachable(roots) {
+        for (argument, own, is_smooth) in switched(graph, node) {
+            let moves = motion.of(graph, argument);
+            if !(moves.by_state || moves.by_time && is_smooth) {
+                continue;
+            }
+            let known = arguments.iter().position(|known| *known == argument);
+            let place = known.unwrap_or_else(|| {
+                arguments.push(argument);
+                levels.push(Vec::new());
+                arguments.len() - 1
+            });
+            levels[place].extend(own);
+        }
+    }
+    for own in &mut levels {
+        own.sort_unstable_by(f64::total_cmp);
+        own.dedup();
+    }
+    (arguments, levels)
+}
+
+/// Arguments of the function of a node with their levels, and whether it is smooth: kinks and jumps of functions of the
+/// time alone are the ends of steps already.
+fn switched(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, Vec<f64>, bool)> {
+    use MathFunction as F;
+    if let Node::Product(factors) = graph.node(node) {
+        // A power with a half in its exponent is 0 where its base is below 0.
+        let odd = factors.iter().filter(|(_, doubled)| doubled % 2 != 0);
+        let odd = odd.filter(|(base, _)| !graph.facts(*base).nonneg);
+        return odd.map(|(base, _)| (*base, vec![0.0], false)).collect();
+    }
+    match *graph.node(node) {
+        Node::Call(F::Exp | F::Tanh, x) => vec![(x, SMOOTH_LEVELS.to_vec(), true)],
+        Node::Call(F::Asin, x) => vec![(x, vec![-1.0, 1.0], false)],
+        Node::Call(F::Abs | F::Sign | F::Heaviside | F::Log | F::Sqrt, x)
+            if !graph.facts(x).nonneg =>
+        {
+            vec![(x, vec![0.0], false)]
+        }
+        Node::Call(F::Table(table), x) => {
+            vec![(x, graph.tables().of(table).knots().to_vec(), false)]
+        }
+        Node::Call2(BinaryFunction::Min | BinaryFunction::Max, a, b) => {
+            vec![(graph.sub(a, b), vec![0.0], false)]
+        }
+        Node::Call2(BinaryFunction::Table(table), a, b) => {
+            let knots = graph
+                .tables()
+                .table(table.table())
+                .bicubic()
+                .knots()
+                .map(<[f64]>::to_vec);
+            let both = [a, b].into_iter().zip(knots);
+            both.map(|(x, own)| (x, own, false)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// What a value changes with during a flight.
+#[derive(Clone, Copy, Default)]
+struct Moves {
+    /// With the state, or with an input over time.
+    by_state: bool,
+    by_time: bool,
+}
+
+/// What each node of a graph so far changes with.
+#[derive(Default)]
+struct Motion(Vec<Moves>);
+
+impl Motion {
+    fn of(&mut self, graph: &ExprGraph, node: NodeId) -> Moves {
+        // Operands are created before their users.
+        for k in self.0.len()..graph.len() {
+            let id = NodeId::new(k);
+            let mut moves = Moves::default();
+            match graph.node(id) {
+                Node::Symbol(Symbol::State(_)) => moves.by_state = true,
+                Node::Symbol(Symbol::Parameter(_)) => moves.by_state = !graph.facts(id).fixed,
+                Node::Symbol(Symbol::Time) => moves.by_time = true,
+                _ => {}
+            }
+            graph.for_operands(id, |operand| {
+                let own = self.0[operand.index()];
+                moves.by_state |= own.by_state;
+                moves.by_time |= own.by_time;
+            });
+            self.0.push(moves);
+        }
+        self.0[node.index()]
+    }
+}

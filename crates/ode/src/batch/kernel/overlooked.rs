@@ -1,0 +1,186 @@
+//! What a step that passes the error test has flown over, in each lane: the rate of the state in its cells.
+
+// Iterator methods need not be inlined, and are then compiled for the baseline processor.
+#![allow(clippy::needless_range_loop)]
+
+use super::Flying;
+use crate::batch::LanePoint;
+use crate::batch::control::MAX_LANES;
+use crate::batch::functions::Call;
+use crate::batch::staging::merge;
+use crate::dense_output::{DenseOutput, cubic};
+use crate::switches::{Cell, MAX_OVERLOOKED, cells, possible_passages};
+use lanes::Lanes;
+
+/// Fractions of a step at which the arguments of switches are computed first.
+const POINTS: [f64; 3] = [0.0, 0.5, 1.0];
+
+/// Arguments of switches in the current step of each lane.
+pub(super) struct Watch<T> {
+    /// Arguments at the [`POINTS`].
+    points: [Vec<T>; 3],
+    /// Whether the arguments at the start are known in every lane.
+    pub(super) knows_start: bool,
+    /// Arguments at another point.
+    within: Vec<T>,
+    /// Rates of the state at that point.
+    rates: Vec<T>,
+    /// Cells of the step in each lane.
+    cells: [Vec<Cell>; MAX_LANES],
+}
+
+impl<T: Lanes> Watch<T> {
+    pub(super) fn new(switches: usize, states: usize) -> Self {
+        let zeros = || vec![T::splat(0.0); switches];
+        Watch {
+            points: [0; 3].map(|_| zeros()),
+            knows_start: false,
+            within: zeros(),
+            rates: vec![T::splat(0.0); states],
+            cells: std::array::from_fn(|_| Vec::new()),
+        }
+    }
+}
+
+impl<T: Lanes> Flying<'_, T> {
+    /// Finds the cells of the steps of the lanes marked in `passes`; whether each lane has any.
+    #[inline(always)]
+    pub(super) fn find_cells(
+        &mut self,
+        t: T,
+        h: T,
+        passes: &[bool; MAX_LANES],
+    ) -> [bool; MAX_LANES] {
+        let mut found = [false; MAX_LANES];
+        if self.watch.within.is_empty() {
+            return found;
+        }
+        let last = self.tableau.rows.len();
+        for k in usize::from(self.watch.knows_start)..POINTS.len() {
+            let s = POINTS[k];
+            for i in 0..self.stages.n {
+                let (a, b) = (self.values.x[i], self.end[i]);
+                let (da, db) = (h * self.stages.stage(0)[i], h * self.stages.stage(last)[i]);
+                // The cubic of the scalar solver, in lanes.
+                let [r, s] = [1.0 - s, s].map(T::splat);
+                let bent = (da - (b - a)) * r - (db - (b - a)) * s;
+                self.within[i] = a * r + b * s + s * r * bent;
+            }
+            let point = LanePoint {
+                // The time at the end is, to the bit, that at the start of the next step.
+                t: match k {
+                    2 => T::load(&self.control.end),
+                    _ => T::splat(s).mul_add(h, t),
+                },
+                x: &self.within,
+                p: &self.values.p,
+                prepared: &self.values.prepared,
+            };
+            let to = &mut self.watch.points[k];
+            self.rhs.call(Call::Switches(&point), &mut self.scratch, to);
+        }
+        self.watch.knows_start = true;
+        let mut possible = [0; MAX_LANES];
+        let levels = self.rhs.switch_levels();
+        for j in 0..levels.len() {
+            let mut values = [[0.0; MAX_LANES]; 3];
+            for k in 0..POINTS.len() {
+                self.watch.points[k][j].store(&mut values[k]);
+            }
+            for lane in 0..T::WIDTH {
+                let [start, middle, end] = values;
+                let values = [start[lane], middle[lane], end[lane]];
+                possible[lane] += possible_passages(&levels[j], values);
+            }
+        }
+        for lane in 0..T::WIDTH {
+            found[lane] = passes[lane] && possible[lane] > 1 && self.has_cells(lane);
+        }
+        found
+    }
+
+    /// Makes the arguments at the ends of the steps of the lanes whose element of `keep` is 0 those at the starts.
+    #[inline(always)]
+    pub(super) fn advance_switches(&mut self, keep: T) {
+        let [start, _, end] = &mut self.watch.points;
+        merge(keep, end, start);
+    }
+
+    /// Finds the cells of the step of one lane; whether there are any.
+    #[inline(always)]
+    fn has_cells(&mut self, lane: usize) -> bool {
+        let of_lane = |values: &Vec<T>| values.iter().map(|v| v.lane(lane)).collect::<Vec<f64>>();
+        let points = self.watch.points.each_ref().map(of_lane);
+        let points = points.each_ref().map(|values| &values[..]);
+        let levels = self.rhs.switch_levels();
+        let (t, h) = (self.control.t[lane], self.control.h[lane]);
+        let last = self.tableau.rows.len();
+        let (x, end) = (&self.values.x, &self.end);
+        let (rates, last_rates) = (self.stages.stage(0), self.stages.stage(last));
+        let mut arguments = |s: f64, to: &mut [f64]| {
+            for i in 0..x.len() {
+                let slopes = [rates[i], last_rates[i]].map(|rate| h * rate.lane(lane));
+                let ends = (x[i].lane(lane), end[i].lane(lane), slopes[0], slopes[1]);
+                self.within[i] = T::splat(cubic(ends, s));
+            }
+            let point = LanePoint {
+                t: T::splat(t + s * h),
+                x: &self.within,
+                p: &self.values.p,
+                prepared: &self.values.prepared,
+            };
+            let within = &mut self.watch.within;
+            self.rhs
+                .call(Call::Switches(&point), &mut self.scratch, within);
+            for j in 0..to.len() {
+                to[j] = within[j].lane(lane);
+            }
+        };
+        let found = cells(levels, points, &mut arguments);
+        self.watch.cells[lane] = found;
+        !self.watch.cells[lane].is_empty()
+    }
+
+    /// Fraction of the step of a lane at which its rate differs from that of the step by more than the tolerance allows,
+    /// by the dense output; a step that ends there sees why.
+    #[inline(always)]
+    pub(super) fn overlooked(&mut self, lane: usize, h: T) -> Option<f64> {
+        self.fill_rows(lane, h);
+        let n = self.stages.n;
+        for k in 0..self.watch.cells[lane].len() {
+            let Cell { middle: s, width } = self.watch.cells[lane][k];
+            let step = DenseOutput {
+                method: self.tableau.method,
+                t: self.control.t[lane],
+                h: self.control.h[lane],
+                rows: std::array::from_fn(|k| &self.rows[k * n..][..n]),
+                projection: None,
+            };
+            let (t, h) = (step.t + s * step.h, step.h);
+            step.state(s, &mut self.state);
+            for i in 0..n {
+                self.within[i] = T::splat(self.state[i]);
+            }
+            let point = LanePoint {
+                t: T::splat(t),
+                x: &self.within,
+                p: &self.values.p,
+                prepared: &self.values.prepared,
+            };
+            let rates = &mut self.watch.rates;
+            self.rhs
+                .call(Call::Derivative(&point), &mut self.scratch, rates);
+            self.evaluations += 1;
+            for i in 0..n {
+                let change = width * (h * rates[i].lane(lane) - step.slope(s, i)).abs();
+                let ends = [self.values.x[i], self.end[i]].map(|x| x.lane(lane));
+                let is_seen = change <= MAX_OVERLOOKED * self.tolerance.scale(ends[0], ends[1]);
+                // Not a number counts as seen too little of.
+                if !is_seen {
+                    return Some(s);
+                }
+            }
+        }
+        None
+    }
+}

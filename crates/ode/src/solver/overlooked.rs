@@ -1,0 +1,119 @@
+//! What a step that passes the error test has flown over: the rate of the state in its cells, between its stages.
+
+use super::Solver;
+use crate::OdeRhs;
+use crate::dense_output::{DenseOutput, HermiteStep};
+use crate::switches::{MAX_OVERLOOKED, cells, may_have_cells};
+use crate::time_breaks::StepEnd;
+use std::sync::Arc;
+
+/// Arguments of switches in the current step.
+pub(super) struct Watch {
+    levels: Arc<[Vec<f64>]>,
+    /// Arguments at the start, in the middle and at the end of the step.
+    points: [Vec<f64>; 3],
+    is_start_known: bool,
+}
+
+impl Watch {
+    pub fn new(levels: Arc<[Vec<f64>]>) -> Watch {
+        let points = [0; 3].map(|_| vec![0.0; levels.len()]);
+        Watch {
+            levels,
+            points,
+            is_start_known: false,
+        }
+    }
+
+    /// Begins the next step at the end of the last one, which has been accepted.
+    pub fn advance(&mut self) {
+        self.points.swap(0, 2);
+        self.is_start_known = true;
+    }
+
+    /// Begins a step with a state that is not the end of the last one.
+    pub fn begin(&mut self) {
+        self.is_start_known = false;
+    }
+}
+
+impl<D: OdeRhs> Solver<'_, '_, D> {
+    /// Fraction of a step, which passes the error test, at which the rate of the state differs from that of the step by
+    /// more than the tolerance allows; a step that ends there sees why.
+    pub(super) fn overlooked(&mut self, end: StepEnd) -> Option<f64> {
+        let watch = self.watch.as_mut()?;
+        let (t, h) = (self.t, end.h);
+        let stepper = &self.stepper;
+        let step = HermiteStep {
+            t,
+            h,
+            x: &stepper.x,
+            dx: stepper.dx(),
+            x_end: stepper.x_end(),
+            dx_end: stepper.dx_end(),
+        };
+        let (rhs, state) = (&mut *self.rhs, &mut self.scratch);
+        let mut within = |s: f64, to: &mut [f64]| {
+            for (i, x) in state.as_mut().iter_mut().enumerate() {
+                *x = step.component(i, s);
+            }
+            rhs.switch_arguments(t + s * h, state, to);
+        };
+        let [first, middle, last] = &mut watch.points;
+        if !watch.is_start_known {
+            within(0.0, first);
+            watch.is_start_known = true;
+        }
+        within(0.5, middle);
+        within(1.0, last);
+        let points = [&**first, &**middle, &**last];
+        if !may_have_cells(&watch.levels, points) {
+            return None;
+        }
+        let cells = cells(&watch.levels, points, &mut within);
+        if cells.is_empty() {
+            return None;
+        }
+        self.first_overlooked(end, cells.iter().map(|cell| (cell.middle, cell.width)))
+    }
+
+    /// Middle of the first of the `cells`, each a middle and a width, whose rate is not that of the step.
+    #[cold]
+    fn first_overlooked(
+        &mut self,
+        end: StepEnd,
+        cells: impl Iterator<Item = (f64, f64)>,
+    ) -> Option<f64> {
+        let (t, h, tolerance) = (self.t, end.h, self.tolerance);
+        let (tableau, mut rate) = (self.stepper.tableau, self.stepper.x.clone());
+        let scales: Vec<f64> = {
+            let (x, x_end) = (self.stepper.x.as_ref(), self.stepper.x_end().as_ref());
+            let controlled = x.iter().zip(x_end).take(tolerance.controlled_len);
+            controlled.map(|(a, b)| tolerance.scale(*a, *b)).collect()
+        };
+        let rows = self
+            .stepper
+            .dense_rows(self.rhs, (t, h), &mut self.dense_buffer);
+        self.stats.evaluations += tableau.dense_rows.len();
+        let step = DenseOutput {
+            method: tableau.method,
+            t,
+            h,
+            rows,
+            projection: self.projection.as_deref(),
+        };
+        for (s, width) in cells {
+            step.state(s, self.scratch.as_mut());
+            self.rhs.derivative(t + s * h, &self.scratch, &mut rate);
+            self.stats.evaluations += 1;
+            let rate = rate.as_ref();
+            let change = |i: usize| width * (h * rate[i] - step.slope(s, i)).abs();
+            // Not a number counts as seen too little of.
+            let is_seen = |(i, scale): (usize, &f64)| change(i) <= MAX_OVERLOOKED * scale;
+            if !scales.iter().enumerate().all(is_seen) {
+                return Some(s);
+            }
+        }
+        None
+    }
+}
