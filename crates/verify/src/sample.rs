@@ -3,6 +3,7 @@
 mod draw;
 mod switches;
 
+use crate::constrained;
 use crate::random::Random;
 use draw::normalize;
 pub use draw::typical;
@@ -40,7 +41,7 @@ fn beyond(model: &Model, near: &Point<f64>, random: &mut Random) -> Option<Point
     let margins = Margins::of(model);
     let within = |point| settled(model, point).filter(|point| margins.hold(point));
     let far = draw::far(model, random);
-    let mut on_the_way = (0..HALVINGS).map(|k| between(near, &far, 0.5_f64.powi(k)));
+    let mut on_the_way = (0..HALVINGS / 2).map(|k| between(near, &far, 0.25_f64.powi(k)));
     let far = on_the_way.find_map(within)?;
     let beside = if random.once_in(2) {
         switches::beside_one(model, [near, &far], random)
@@ -53,7 +54,10 @@ fn beyond(model: &Model, near: &Point<f64>, random: &mut Random) -> Option<Point
 /// The point with quaternions of norm 1, moved to where the constraints of the model hold; `None` if they hold nowhere
 /// near.
 fn settled(model: &Model, mut point: Point<f64>) -> Option<Point<f64>> {
-    let holds = normalize(model, &mut point);
+    /// A place that Newton's method finds, it finds in few steps; otherwise a nearer point is tried.
+    const STEPS: usize = 5;
+    constrained::normalize(model, &mut point);
+    let holds = constrained::project_within(model, &mut point, STEPS);
     (holds && point.states.iter().all(|value| value.is_finite())).then_some(point)
 }
 

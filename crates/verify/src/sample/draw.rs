@@ -89,11 +89,10 @@ fn ahead(model: &Model, point: &mut Point<f64>, random: &mut Random) {
     normalize(model, point);
 }
 
-/// Scales the attitude quaternions of a point to norm 1, and moves it to where the constraints of the model hold; whether
-/// they do then.
-pub(super) fn normalize(model: &Model, point: &mut Point<f64>) -> bool {
+/// Scales the attitude quaternions of a point to norm 1, and moves it to where the constraints of the model hold.
+pub(super) fn normalize(model: &Model, point: &mut Point<f64>) {
     constrained::normalize(model, point);
-    constrained::project(model, point)
+    constrained::project(model, point);
 }
 
 /// Typical magnitude in flight of a quantity with the given unit, SI.
