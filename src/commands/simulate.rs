@@ -170,7 +170,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
                 release.stop = Stop::Duration(duration);
             }
             other => bail!(
-                "--until: found {other}, expected 0 to {} s, or ground",
+                "--until: found {other}, expected a time above 0, at most {} s, or ground",
                 Release::MAX_DURATION
             ),
         },

@@ -1,11 +1,15 @@
 //! Random points of a model, within its domain of validity.
 
+mod draw;
+mod switches;
+
 use crate::constrained;
 use crate::random::Random;
-use model_spec::model::{Model, Parameter, ValidityLimit};
-use model_spec::unit::{Base, Unit};
-use nalgebra::Vector3;
-use oracle::{Chart, Point, Tree};
+use draw::normalize;
+pub use draw::typical;
+pub(crate) use draw::{anywhere, is_velocity};
+use model_spec::model::{Model, ValidityLimit};
+use oracle::{Point, Tree};
 
 /// Maximum number of draws of a point within the validity limits.
 const MAX_DRAWS: usize = 1000;
@@ -18,10 +22,49 @@ const MAX_VAIN: usize = 300;
 /// Number of halvings of the distance between the default point and a point outside the limits, plus 1.
 const HALVINGS: i32 = 20;
 
+/// Share of the points that are drawn beyond typical states: one in so many, as of the times, see [`draw`].
+const ONE_BEYOND_IN: u64 = 4;
+
+/// Draws a point within the validity limits: three in four as [`near`] does. Of the others, every second one is as far as
+/// bodies in flight get, and every second one beside a switch of the model, on either side.
+pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
+    let near = near(model, random);
+    if random.once_in(ONE_BEYOND_IN) {
+        beyond(model, &near, random).unwrap_or(near)
+    } else {
+        near
+    }
+}
+
+/// A point beyond typical states, see [`point`]; `None` if the way there from `near` is outside the limits.
+fn beyond(model: &Model, near: &Point<f64>, random: &mut Random) -> Option<Point<f64>> {
+    let margins = Margins::of(model);
+    let within = |point| settled(model, point).filter(|point| margins.hold(point));
+    let far = draw::far(model, random);
+    let mut on_the_way = (0..HALVINGS / 2).map(|k| between(near, &far, 0.25_f64.powi(k)));
+    let far = on_the_way.find_map(within)?;
+    let beside = if random.once_in(2) {
+        switches::beside_one(model, [near, &far], random)
+    } else {
+        None
+    };
+    Some(beside.and_then(within).unwrap_or(far))
+}
+
+/// The point with quaternions of norm 1, moved to where the constraints of the model hold; `None` if they hold nowhere
+/// near.
+fn settled(model: &Model, mut point: Point<f64>) -> Option<Point<f64>> {
+    /// A place that Newton's method finds, it finds in few steps; otherwise a nearer point is tried.
+    const STEPS: usize = 5;
+    constrained::normalize(model, &mut point);
+    let holds = constrained::project_within(model, &mut point, STEPS);
+    (holds && point.states.iter().all(|value| value.is_finite())).then_some(point)
+}
+
 /// Draws a point within the validity limits: states of magnitudes typical of flights, one in four up to 1000 times
 /// smaller; parameters around their defaults; coefficients within their bounds, with random signs, never 0. If typical
 /// states are outside the limits, they are moved within them.
-pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
+pub(crate) fn near(model: &Model, random: &mut Random) -> Point<f64> {
     flight::cancellation::stop_if_cancelled();
     let defaults = Point::defaults(model);
     let draws = if is_valid(model, &defaults) {
@@ -180,121 +223,5 @@ impl<'a> Margins<'a> {
             }
         });
         outside.sum()
-    }
-}
-
-/// Draws a point without regard to the validity limits; the constraints of the model hold.
-pub(crate) fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
-    let (params, coefficients) = (model.params.iter(), model.coefficients.iter());
-    let inputs = model.inputs.iter();
-    let mut point = Point {
-        time: time(random.between(0.0, 1.0)),
-        params: params.map(|c| size_varied(c, random)).collect(),
-        coefficients: coefficients.map(|c| coefficient(c, random)).collect(),
-        inputs: inputs
-            .map(|i| Vector3::from_fn(|_, _| random.within(typical(i.unit))))
-            .collect(),
-        states: model.states.iter().map(|s| state(s.unit, random)).collect(),
-        marker: Vector3::from_fn(|_, _| random.within(0.1)),
-    };
-    normalize(model, &mut point);
-    if random_flight(model, random) {
-        ahead(model, &mut point, random);
-    }
-    point
-}
-
-/// Time since the start, s, by a number from 0 to 1: mostly within two seconds, and in a quarter of the cases later, up to
-/// two minutes: motors burn out, and parachutes open.
-fn time(part: f64) -> f64 {
-    const EARLY: (f64, f64) = (0.75, 2.0);
-    if part < EARLY.0 {
-        return EARLY.1 * part / EARLY.0;
-    }
-    EARLY.1 * 60f64.powf((part - EARLY.0) / (1.0 - EARLY.0))
-}
-
-/// Whether a point is to be one of a typical flight: every second one, if the model states which axis of the body points
-/// ahead.
-fn random_flight(model: &Model, random: &mut Random) -> bool {
-    let axes = model.flight_axes();
-    axes.is_some_and(|(_, axes)| axes.states_forward) && random.once_in(2)
-}
-
-/// Turns the velocity of the declared body to near the axis that points ahead: by 0.01 to 0.5 rad.
-fn ahead(model: &Model, point: &mut Point<f64>, random: &mut Random) {
-    let Some((chart, (_, axes))) = Chart::declared(model).zip(model.flight_axes()) else {
-        return;
-    };
-    let mut physical = chart.physical(&point.states);
-    let forward = Vector3::from(axes.forward.vector());
-    let off = Vector3::from_fn(|_, _| random.within(1.0)).cross(&forward);
-    let size = 0.5 * 10f64.powf(-random.between(0.0, 1.7));
-    let along = forward + off * (size / off.norm().max(1e-3));
-    let along = physical.attitude.matrix() * along;
-    physical.velocity = along * (physical.velocity.norm() / along.norm());
-    let Some(states) = chart.states(&physical) else {
-        return;
-    };
-    for state in model.body.iter().flat_map(|body| body.velocity) {
-        point.states[state] = states[state];
-    }
-    normalize(model, point);
-}
-
-/// Scales the attitude quaternions of a point to norm 1, and moves it to where the constraints of the model hold.
-fn normalize(model: &Model, point: &mut Point<f64>) {
-    constrained::normalize(model, point);
-    constrained::project(model, point);
-}
-
-/// Typical magnitude in flight of a quantity with the given unit, SI.
-pub fn typical(unit: Unit) -> f64 {
-    let [metre, second, radian] =
-        [Base::Metre, Base::Second, Base::Radian].map(|base| unit.doubled[base as usize]);
-    match (metre, second, radian) {
-        (2, 0, _) => 5.0,
-        (2, -2, _) => 15.0,
-        (0, 0, 2) => 1.2,
-        (0, -2, _) => 20.0,
-        _ => 1.0,
-    }
-}
-
-/// Whether a unit is that of a velocity, up to powers of radian and kilogram.
-pub(crate) fn is_velocity(unit: Unit) -> bool {
-    let [metre, second] = [Base::Metre, Base::Second].map(|base| unit.doubled[base as usize]);
-    (metre, second) == (2, -2)
-}
-
-fn state(unit: Unit, random: &mut Random) -> f64 {
-    let small = if random.once_in(4) {
-        10f64.powf(-random.between(0.0, 3.0))
-    } else {
-        1.0
-    };
-    random.within(typical(unit)) * small
-}
-
-fn size_varied(constant: &Parameter, random: &mut Random) -> f64 {
-    match constant.value {
-        0.0 => random.within(0.5),
-        value => value * random.between(-0.7, 0.7).exp(),
-    }
-}
-
-fn coefficient(constant: &Parameter, random: &mut Random) -> f64 {
-    let value = size_varied(constant, random);
-    let value = if random.once_in(2) { -value } else { value };
-    let Some((low, high)) = constant.bounds else {
-        return value;
-    };
-    // Outside the bounds, a divisor that the bounds keep away from 0 may vanish.
-    if (low..=high).contains(&value) && value != 0.0 {
-        value
-    } else if (low..=high).contains(&-value) && value != 0.0 {
-        -value
-    } else {
-        random.between(low, high)
     }
 }

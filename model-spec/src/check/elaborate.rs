@@ -95,6 +95,7 @@ impl Checker<'_> {
 
     fn literal(&mut self, q: &ast::Quantity, span: Span) -> Option<Typed> {
         let measure = self.measure_or_one(q.unit.as_ref())?;
+        self.refuse_two_readings(q, measure.unit, span);
         let (value, exact) = measure.of(&q.number);
         let mut expr = node(ExprKind::Number { value, exact }, Shape::Scalar, span);
         expr.unit = measure.unit;
@@ -103,6 +104,35 @@ impl Checker<'_> {
             _ => UnitOf::of(measure.unit),
         };
         Some(Typed { expr, unit })
+    }
+
+    /// Reports a number like `2 m` where a quantity `m` is a length too: the units of what it stands in cannot tell whether
+    /// two metres are meant or twice the length.
+    fn refuse_two_readings(&mut self, q: &ast::Quantity, unit: Unit, span: Span) {
+        let factors = q.unit.as_ref().map_or(&[][..], |own| &own.factors);
+        let [
+            ast::UnitFactor {
+                symbol, doubled: 2, ..
+            },
+        ] = factors
+        else {
+            return;
+        };
+        let (text, number) = (self.text(span), &q.number.text);
+        let named = self.scope.find(symbol).filter(|_| !text.contains('['));
+        let Some(UnitOf::Term(term)) = named.and_then(|named| self.unit_of_symbol(named)) else {
+            return;
+        };
+        let of_quantity = self.units.resolve(&term).unit();
+        if of_quantity.is_some_and(|own| own.agrees(unit)) {
+            let is = self.described(&term);
+            let message =
+                format!("`{text}` can be read in two ways: the quantity `{symbol}` is {is}, too");
+            let fault = Diagnostic::new(Kind::Grammar, span, message);
+            self.report(fault.help(format!(
+                "write `{number} [{symbol}]` for the unit, or `{number}*{symbol}` for the quantity"
+            )));
+        }
     }
 
     fn components(

@@ -201,8 +201,13 @@ pub(crate) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) 
         if let FrameKind::Quaternion { states: q, .. } = frame.kind
             && q.contains(&variable)
         {
-            for k in q {
-                out[k] -= states[variable] * states[k];
+            // Not 1 − q², of which nothing is left near an attitude that is no turn.
+            let others = q.into_iter().filter(|k| *k != variable);
+            out[variable] = others
+                .clone()
+                .fold(T::zero(), |sum, k| sum + states[k] * states[k]);
+            for k in others {
+                out[k] = -(states[variable] * states[k]);
             }
         }
     }

@@ -360,7 +360,7 @@ fn flown(
     let mut points = Vec::new();
     for _ in 0..flights {
         let flight = (0..MAX_STARTS)
-            .map(|_| flight(subject, sample::point(subject.model, random), each))
+            .map(|_| flight(subject, sample::near(subject.model, random), each))
             .find(|flight| !flight.is_empty());
         points.extend(flight.unwrap_or_default());
     }
@@ -392,7 +392,7 @@ fn near_zero(subject: &Subject<'_>, random: &mut Random) -> Vec<(String, Point<f
     let mut points = Vec::new();
     for (index, state) in subject.model.states.iter().enumerate() {
         for small in NEAR_ZERO {
-            let mut point = sample::point(subject.model, random);
+            let mut point = sample::near(subject.model, random);
             let value = small * typical(state.unit) * random.between(0.5, 1.0);
             point.states[index] = value;
             if is_valid(subject.model, &point) {

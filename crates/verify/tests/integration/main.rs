@@ -1,6 +1,7 @@
 //! Models that are right hold under every check, and what is wrong, in a model, an effect or the compiled code, is refused by
 //! the check that is meant to; records, reports and mutants.
 
+mod beyond;
 mod claimed;
 mod compiler_on_mutants;
 mod difference;

@@ -4,6 +4,7 @@
 //! statements that it stands for; these are made anew whenever a file is expanded, so that effects may add loads.
 
 mod attitude;
+mod collisions;
 mod statements;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
@@ -39,6 +40,7 @@ pub(super) fn write_out(file: &mut File) -> Vec<Diagnostic> {
     let Some((first, others)) = bodies.split_first() else {
         return faults;
     };
+    faults.extend(collisions::collisions(file, others));
     let mut made = Vec::new();
     for body in others {
         if let Some(other) = bodies
