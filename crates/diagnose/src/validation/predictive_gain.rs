@@ -64,10 +64,16 @@ impl PredictiveGain {
         self.change() == Ordering::Less
     }
 
-    /// Whether predictions speak against the effects: much worse, or of fewer flights.
+    /// Whether predictions speak against the effects: much worse, by their standard error or of most flights too, or of
+    /// fewer flights.
     pub(crate) fn contradicts(&self) -> bool {
-        let is_much = -self.error_reduction_m() > CONTRADICTING_ERROR * self.noise_m;
-        self.is_worse() && (is_much || self.predicted_only_before > self.predicted_only_after)
+        let much = CONTRADICTING_ERROR * self.noise_m;
+        let is_much = -self.error_reduction_m() > much;
+        // Of a few flights, the worse they are predicted, the greater is the standard error.
+        let is_worse_of_most = self.median_after_m - self.median_before_m > much;
+        is_much && is_worse_of_most
+            || self.is_worse()
+                && (is_much || self.predicted_only_before > self.predicted_only_after)
     }
 
     /// Whether the predictions with the added effects are better (`Greater`) or worse (`Less`) than those without.
@@ -387,5 +393,13 @@ mod tests {
         assert!(!predicts_more.changes_nothing());
         assert!(gain(0.0025, 1e-4).is_worse());
         assert!(!gain(0.00201, 1e-4).is_worse());
+        // Two flights, of which one is predicted far worse: so is the standard error of the mean.
+        let of_two = |median_after_m: f64| PredictiveGain {
+            median_before_m: 0.0035,
+            median_after_m,
+            ..gain(0.007, 0.0051)
+        };
+        assert!(of_two(0.006).contradicts());
+        assert!(!of_two(0.0036).contradicts());
     }
 }

@@ -1,10 +1,9 @@
-//! Axes, units and frames of gyroscopes and accelerometers, compared with the motion that measured attitudes show, or,
-//! of gyroscopes without them, with the angular momentum that moments turn slowly.
+//! Axes, units and frames of gyroscopes and accelerometers, compared with the motion that measured attitudes show.
 
 use model_spec::compose::Instrument;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
-use super::momentum::{self, unsteadiness};
+use super::momentum::is_clearly_better;
 use super::motion::{Comparison, comparisons};
 use super::readings::series;
 use super::signed_axes::SignedAxes;
@@ -62,11 +61,7 @@ impl Meaning {
 pub fn check(
     dataset: &Dataset,
     (sensor, channel, instrument): (&Sensor, usize, Instrument),
-    (tracks, gravity, inertia): (
-        &[Option<Track>],
-        Option<Vector3<f64>>,
-        Option<&Matrix3<f64>>,
-    ),
+    (tracks, gravity): (&[Option<Track>], Option<Vector3<f64>>),
 ) -> Option<(FaultKind, (String, String))> {
     let flights = || dataset.flights.iter().zip(tracks);
     let compared: Vec<Comparison> = flights()
@@ -83,30 +78,14 @@ pub fn check(
         .flatten()
         .collect();
     let size: f64 = compared.iter().map(|own| own.expected.norm_squared()).sum();
-    if size > 0.0 {
-        let misfit = |meaning: &Meaning| {
-            let unit = meaning.unit.value(instrument);
-            let squares = compared.iter().map(|own| own.misfit(meaning, unit));
-            squares.sum::<f64>() / size
-        };
-        let (meaning, is_alone) = clearly_best(Meaning::all(instrument), misfit)?;
-        return Some(fault((sensor, channel, instrument), &meaning, is_alone));
-    }
-    let inertia = inertia.filter(|_| instrument == Instrument::Gyroscope)?;
-    let axes = SignedAxes::all().into_iter();
-    let meanings = axes.map(|axes| Meaning {
-        axes,
-        unit: UnitOfReadings::OF_DATASET,
-        in_room: false,
-        without_gravity: false,
-    });
-    let flights = || dataset.flights.iter();
     let misfit = |meaning: &Meaning| {
-        let series =
-            flights().map(|flight| momentum::turned_by(series(flight, channel), meaning.axes));
-        unsteadiness(series, inertia).unwrap_or(f64::INFINITY)
+        let unit = meaning.unit.value(instrument);
+        let squares = compared.iter().map(|own| own.misfit(meaning, unit));
+        squares.sum::<f64>() / size
     };
-    let (meaning, is_alone) = clearly_best(meanings.collect(), misfit)?;
+    // Without attitudes the readings do not tell: aerodynamic moments turn the angular momentum as wrong axes do.
+    (size > 0.0).then_some(())?;
+    let (meaning, is_alone) = clearly_best(Meaning::all(instrument), misfit)?;
     Some(fault((sensor, channel, instrument), &meaning, is_alone))
 }
 
@@ -117,7 +96,7 @@ fn clearly_best(
 ) -> Option<(Meaning, bool)> {
     let misfits: Vec<f64> = meanings.iter().map(misfit).collect();
     let least = misfits.iter().copied().fold(f64::INFINITY, f64::min);
-    if !momentum::is_clearly_better(least, misfits[0]) {
+    if !is_clearly_better(least, misfits[0]) {
         return None;
     }
     let each = meanings.iter().zip(&misfits);

@@ -2,9 +2,6 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use super::signed_axes::SignedAxes;
-use dataset::Reading;
-
 /// The misfit of another convention of the readings, in squares relative to what is expected, must be smaller: by this
 /// ratio, and at most this, as moments turn some bodies.
 const BETTER_BY: (f64, f64) = (4.0, 0.15);
@@ -35,28 +32,6 @@ pub fn turns(poses: impl Iterator<Item = (f64, UnitQuaternion<f64>)>) -> Vec<Tur
     each.collect()
 }
 
-/// Turns by the readings of a gyroscope with these axes.
-pub fn turned_by(readings: impl Iterator<Item = (f64, Reading)>, axes: SignedAxes) -> Vec<Turn> {
-    let readings: Vec<(f64, Reading)> = readings.collect();
-    let mut attitude = UnitQuaternion::identity();
-    let each = readings.windows(2).map(|pair| {
-        let [before, after] = [0, 1].map(|k| {
-            let [x, y, z, _] = pair[k].1;
-            axes.turned(Vector3::new(x, y, z))
-        });
-        let time = pair[1].0 - pair[0].0;
-        let rotation = 0.5 * (before + after) * time;
-        let turn = Turn {
-            attitude,
-            rotation,
-            time,
-        };
-        attitude *= UnitQuaternion::from_scaled_axis(rotation);
-        turn
-    });
-    each.collect()
-}
-
 /// Mean square change of the angular momentum while the body turns by [`COMPARED_ROTATION`], relative to its mean square.
 pub fn unsteadiness(
     flights: impl Iterator<Item = Vec<Turn>>,
@@ -64,10 +39,9 @@ pub fn unsteadiness(
 ) -> Option<f64> {
     let (mut changes, mut squares) = (0.0, 0.0);
     for turns in flights {
-        let momenta = turns.iter().map(|turn| {
-            let half = UnitQuaternion::from_scaled_axis(0.5 * turn.rotation);
-            turn.attitude * half * (inertia * turn.rotation / turn.time)
-        });
+        let momenta = turns
+            .iter()
+            .map(|turn| turn.attitude * (inertia * turn.rotation / turn.time));
         let momenta: Vec<Vector3<f64>> = momenta.collect();
         let turned: f64 = turns.iter().map(|turn| turn.rotation.norm()).sum();
         let lag = (COMPARED_ROTATION * momenta.len() as f64 / turned).ceil();

@@ -32,9 +32,7 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
                 let unit = unit(dataset, instrument, (sensor, channel));
                 let unit = unit.filter(|unit| unit.index > 0);
                 let unit = unit.map(|unit| OtherUnit::new(own, unit).fault(why(instrument)));
-                unit.or_else(|| {
-                    instrument_axes::check(dataset, own, (tracks, gravity, inertia.as_ref()))
-                })
+                unit.or_else(|| instrument_axes::check(dataset, own, (tracks, gravity)))
             }
             SensorKind::Pose => {
                 let message =

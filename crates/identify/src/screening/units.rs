@@ -52,12 +52,6 @@ pub struct UnitOfReadings {
 }
 
 impl UnitOfReadings {
-    /// The unit of a dataset.
-    pub const OF_DATASET: Self = Self {
-        index: 0,
-        is_converted_twice: false,
-    };
-
     /// All units, that of a dataset first.
     pub fn all(instrument: Instrument) -> impl Iterator<Item = Self> {
         let of = |is_converted_twice: bool| {

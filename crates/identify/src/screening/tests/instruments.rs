@@ -172,23 +172,6 @@ fn axes_of_instruments_beside_poses_are_named() {
 }
 
 #[test]
-fn a_gyroscope_with_the_sign_of_an_axis_wrong_is_named_without_poses() {
-    let flips: [fn(Sample) -> Sample; 3] = [
-        |own| own.with_rate(|all| all.map(|part| -part)),
-        |own| own.with_rate(|[x, y, z]| [-x, y, z]),
-        |own| own.with_rate(|[x, y, z]| [y, x, z]),
-    ];
-    for flip in flips {
-        let (kind, correction) = told(false, flip).expect("a fault");
-        assert_eq!(kind, FaultKind::AttitudeConvention);
-        assert!(correction.contains("gyroscope_axes"), "{correction}");
-    }
-    // Two axes with the other sign are those of a body that is turned over.
-    let turned = |own: Sample| own.with_rate(|[x, y, z]| [x, -y, -z]);
-    assert_eq!(told(false, turned), None);
-}
-
-#[test]
 fn poses_in_other_units_and_axes_are_named() {
     let scaled = |unit: f64| {
         move |own: Sample| Sample {
