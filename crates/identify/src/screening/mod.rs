@@ -51,9 +51,10 @@ type TrackScreening = (
 /// Screens all flights: the tracks of markers, if they show the body, and the readings of sensors.
 pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
     let is_tracked = !problem.markers.is_empty() && problem.sees_positions();
+    let of_poses = pose_axes::check(problem, dataset);
     let (mut faults, contacts, tracks) = match is_tracked {
-        true => screen_tracks(problem, dataset, threads),
-        false => Default::default(),
+        true => screen_tracks(problem, dataset, &of_poses, threads),
+        false => (of_poses, Vec::new(), Vec::new()),
     };
     for fault in sensors::check(problem, dataset, &tracks) {
         if !faults.iter().any(|own| own.file == fault.file) {
@@ -63,7 +64,13 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     (faults, contacts)
 }
 
-fn screen_tracks(problem: &FitProblem, dataset: &Dataset, threads: usize) -> TrackScreening {
+/// Screens the tracks of flights whose poses have no faults, `of_poses`.
+fn screen_tracks(
+    problem: &FitProblem,
+    dataset: &Dataset,
+    of_poses: &[DataFault],
+    threads: usize,
+) -> TrackScreening {
     let by_markers = problem.is_shown_by_markers();
     let mirror_is_decided =
         by_markers && problem.has_attitude && mirror::is_decided_by(&problem.markers);
@@ -74,7 +81,11 @@ fn screen_tracks(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Tra
     let is_rigid = rigid.iter().all(|is_rigid| *is_rigid);
     let each = parallel::each_on(threads, dataset.flights.len(), |index| {
         let flight = &dataset.flights[index];
-        let fault = records::check(problem, dataset, index)
+        let mut of_poses = of_poses.iter();
+        let of_pose = of_poses.find(|fault| fault.file == flight.file);
+        let fault = of_pose
+            .cloned()
+            .or_else(|| records::check(problem, dataset, index))
             .or_else(|| by_markers.then(|| template::check(dataset, index, &rigid))?)
             .or_else(|| mirror_is_decided.then(|| mirror::check(&problem.markers, flight))?);
         match fault {

@@ -5,15 +5,16 @@ use flight::throw::ThrownModel;
 use nalgebra::Matrix3;
 
 use super::momentum::{is_clearly_better, turns, unsteadiness};
-use super::readings::series;
+use super::readings::{of_flights, sensors, series};
+use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
-use dataset::{Dataset, Reading, attitude};
+use dataset::{Dataset, Reading, SensorKind, attitude};
 
 /// Least ratio of a flat body's third moment of inertia to the others: it is thrown spinning about the third axis.
 const FLAT: f64 = 1.2;
 
 /// Inertia tensor of the body in body axes, kg m²; `None` for a point mass, or if the model says nothing about it.
-pub fn inertia(problem: &FitProblem) -> Option<Matrix3<f64>> {
+fn inertia(problem: &FitProblem) -> Option<Matrix3<f64>> {
     let body = ThrownModel::new(&problem.model).ok()?;
     let layout = problem.body.layout();
     let state = layout.default_states();
@@ -22,15 +23,20 @@ pub fn inertia(problem: &FitProblem) -> Option<Matrix3<f64>> {
     Some(axes.transpose() * body.inertia(&state, &problem.parameters)? * axes)
 }
 
-/// Message and correction for quaternions in `channel` of another convention or of other body axes.
-pub fn check(
-    problem: &FitProblem,
-    dataset: &Dataset,
-    channel: usize,
-    inertia: &Matrix3<f64>,
-) -> Option<(String, String)> {
-    let axes = || body_axes(problem, dataset, channel, inertia);
-    convention(dataset, channel, inertia).or_else(axes)
+/// Faults of the flights with poses of another convention or of other body axes.
+pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
+    let Some(inertia) = inertia(problem) else {
+        return Vec::new();
+    };
+    let poses = sensors(dataset).filter(|(sensor, _)| sensor.kind == SensorKind::Pose);
+    let each = poses.flat_map(|(_, channel)| {
+        let attitudes = channel + 1;
+        let axes = || body_axes(problem, dataset, attitudes, &inertia);
+        let found = convention(dataset, attitudes, &inertia).or_else(axes);
+        let found = found.map(|message| (FaultKind::AttitudeConvention, message));
+        found.map_or_else(Vec::new, |found| of_flights(dataset, channel, found))
+    });
+    each.collect()
 }
 
 /// Message and correction for another convention of quaternions; `None` if the angular momentum does not tell.

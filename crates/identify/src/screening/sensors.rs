@@ -5,7 +5,7 @@ use super::readings::{of_flights, sensors, series};
 use super::records::{self, Repeated};
 use super::track::Track;
 use super::units::{OtherUnit, unit, why};
-use super::{instrument_axes, loads, pose_axes};
+use super::{instrument_axes, loads};
 use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
 use dataset::{Dataset, Flight, Sensor, SensorKind};
@@ -17,7 +17,6 @@ const SATURATED: (usize, usize) = (5, 3);
 /// Faults of the readings of all sensors; `tracks` are those of the flights that show attitudes and positions.
 pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) -> Vec<DataFault> {
     let mut faults = Vec::new();
-    let inertia = pose_axes::inertia(problem);
     let gravity = loads::gravity(problem);
     for (sensor, channel) in sensors(dataset) {
         if !matches!(sensor.kind, SensorKind::Summary(_)) {
@@ -25,7 +24,7 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
             faults.extend(each.filter_map(|flight| repeated(flight, (sensor, channel))));
         }
         let found = match sensor.kind {
-            SensorKind::Summary(_) => None,
+            SensorKind::Summary(_) | SensorKind::Pose => None,
             SensorKind::Instrument(instrument) => {
                 faults.extend(saturated(dataset, (sensor, channel)));
                 let own = (sensor, channel, instrument);
@@ -33,11 +32,6 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
                 let unit = unit.filter(|unit| unit.index > 0);
                 let unit = unit.map(|unit| OtherUnit::new(own, unit).fault(why(instrument)));
                 unit.or_else(|| instrument_axes::check(dataset, own, (tracks, gravity)))
-            }
-            SensorKind::Pose => {
-                let message =
-                    inertia.and_then(|own| pose_axes::check(problem, dataset, channel + 1, &own));
-                message.map(|message| (FaultKind::AttitudeConvention, message))
             }
         };
         faults.extend(

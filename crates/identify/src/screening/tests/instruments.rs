@@ -172,7 +172,7 @@ fn axes_of_instruments_beside_poses_are_named() {
 }
 
 #[test]
-fn poses_in_other_units_and_axes_are_named() {
+fn poses_in_other_units_axes_and_conventions_are_named() {
     let scaled = |unit: f64| {
         move |own: Sample| Sample {
             position: own.position.map(|part| part / unit),
@@ -197,4 +197,17 @@ fn poses_in_other_units_and_axes_are_named() {
     };
     let (kind, _) = told(true, y_up).expect("a fault");
     assert_eq!(kind, FaultKind::Axes);
+    // With conjugates the track looks as if axes or units were others.
+    let conjugated = |own: Sample| {
+        let [w, x, y, z] = own.quaternion;
+        Sample {
+            quaternion: [w, -x, -y, -z],
+            ..own
+        }
+    };
+    for scale in [1.0, 0.001] {
+        let (kind, correction) = told(true, |own| conjugated(scaled(scale)(own))).expect("a fault");
+        assert_eq!(kind, FaultKind::AttitudeConvention);
+        assert!(correction.contains("inertial_to_body"), "{correction}");
+    }
 }
