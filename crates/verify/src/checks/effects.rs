@@ -2,7 +2,7 @@
 //! with the null values substituted it must compile to no more operations. At random values, derivatives and observation
 //! must be those of the oracle, which evaluates the text of the effects without the compiler.
 
-use super::precision::Tally;
+use super::precision::{Finding, Tally};
 use super::reference;
 use crate::engine::Values;
 use crate::expressions::fix_effects;
@@ -18,6 +18,9 @@ use model_spec::load::{Loaded, from_text};
 use model_spec::model::Model;
 use oracle::scalar::ErrorBound;
 use oracle::{Point, derivatives};
+
+/// Maximum number of further points for an effect with which the law overflows at all points so far.
+const FURTHER: usize = 20;
 
 /// Name of this check in reports: effects at their null values change nothing.
 pub const EFFECTS: &str = "effects at null values";
@@ -150,21 +153,31 @@ pub fn against_oracle(with: &[Variant], options: &Options) -> Row {
     }
     let mut random = Random::new(options.seed, EFFECT_REFERENCE);
     let mut tally = Tally::default();
+    let least = options.cases.div_ceil(10);
+    let mut points = least;
     for variant in with {
         let (model, names) = (&variant.model, variant.names());
-        for _ in 0..options.cases.div_ceil(10) {
+        let (mut drawn, mut compared) = (0, 0);
+        while drawn < least || compared == 0 && drawn < least + FURTHER {
+            drawn += 1;
             let mut point = sample::point(model, &mut random);
             for c in model.effects.iter().flat_map(|e| &e.coefficients) {
                 let (low, high) = model.coefficients[c.index].bounds.unwrap_or((-1.0, 1.0));
                 point.coefficients[c.index] = random.between(low / 2.0, high / 2.0);
             }
-            let errors = |finding, name| tally.add(finding, || format!("{name} with {names}"));
+            let mut overflows = false;
+            let errors = |finding, name| {
+                overflows |= matches!(finding, Finding::Overflow);
+                tally.add(finding, || format!("{name} with {names}"));
+            };
             if let Err(why) = reference::with_tree(model, &variant.values, &point, errors) {
                 return Row::unverified(EFFECT_REFERENCE, why.to_string());
             }
+            compared += usize::from(!overflows);
         }
+        points = points.max(drawn);
     }
-    tally.row(EFFECT_REFERENCE, with.len(), options.cases.div_ceil(10))
+    tally.row(EFFECT_REFERENCE, with.len(), points)
 }
 
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
