@@ -25,8 +25,9 @@ const HALVINGS: i32 = 20;
 /// Share of the points that are drawn beyond typical states: one in so many, as of the times, see [`draw`].
 const ONE_BEYOND_IN: u64 = 4;
 
-/// Draws a point within the validity limits: three in four as [`near`] does. Of the others, every second one is as far as
-/// bodies in flight get, and every second one beside a switch of the model, on either side.
+/// Draws a point within the validity limits: three in four of states of magnitudes typical of flights, one in four of
+/// these up to 1000 times smaller. Of the others, every second one is as far as bodies in flight get, and every second
+/// one beside a switch of the model, on either side.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let near = near(model, random);
     if random.once_in(ONE_BEYOND_IN) {

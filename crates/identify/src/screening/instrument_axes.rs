@@ -3,59 +3,17 @@
 use model_spec::compose::Instrument;
 use nalgebra::Vector3;
 
+use super::meaning::Meaning;
 use super::momentum::is_clearly_better;
 use super::motion::{Comparison, comparisons};
 use super::readings::series;
-use super::signed_axes::SignedAxes;
 use super::track::Track;
-use super::units::{OtherUnit, UnitOfReadings};
+use super::units::OtherUnit;
 use crate::error::FaultKind;
 use dataset::{Dataset, Sensor};
 
 /// Ratio of the misfit to the least one up to which an interpretation of the readings is as good.
 const AS_GOOD: f64 = 1.2;
-
-/// How the readings of an instrument may be meant.
-#[derive(Clone, Copy)]
-pub struct Meaning {
-    pub axes: SignedAxes,
-    pub unit: UnitOfReadings,
-    /// Along the axes of the room, instead of those of the body.
-    pub in_room: bool,
-    /// Acceleration, instead of the specific force.
-    pub without_gravity: bool,
-}
-
-impl Meaning {
-    /// All meanings of an instrument, that of a dataset first, and simple ones before others.
-    fn all(instrument: Instrument) -> Vec<Self> {
-        let is_accelerometer = instrument == Instrument::Accelerometer;
-        let mut all = Vec::new();
-        for axes in SignedAxes::all() {
-            for unit in UnitOfReadings::all(instrument) {
-                for in_room in [false, true] {
-                    for without_gravity in [false, true] {
-                        let is_possible = is_accelerometer || !without_gravity;
-                        all.extend(is_possible.then_some(Self {
-                            axes,
-                            unit,
-                            in_room,
-                            without_gravity,
-                        }));
-                    }
-                }
-            }
-        }
-        all.sort_by_key(Self::changes);
-        all
-    }
-
-    /// Number of changes from what the readings are in a dataset.
-    fn changes(&self) -> usize {
-        let others = [self.unit.index > 0, self.in_room, self.without_gravity];
-        self.axes.changes() + others.into_iter().filter(|is_other| *is_other).count()
-    }
-}
 
 /// Kind, message and correction of readings that follow the motion of the body only with another meaning.
 pub fn check(

@@ -6,6 +6,7 @@ mod free_fall;
 mod handling;
 mod instrument_axes;
 mod loads;
+mod meaning;
 mod mirror;
 mod momentum;
 mod motion;

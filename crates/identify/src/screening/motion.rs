@@ -3,7 +3,7 @@
 use model_spec::compose::Instrument;
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::instrument_axes::Meaning;
+use super::meaning::Meaning;
 use super::track::Track;
 use crate::ground_contact::PathPoint;
 use dataset::{Reading, Sensor};
