@@ -21,8 +21,9 @@ pub(crate) const LACK_OF_FIT_LEVEL: f64 = 0.01;
 /// Difference of a prior from what the data alone give, in standard deviations, above which they contradict it.
 pub const MAX_PRIOR_CONFLICT: f64 = 3.0;
 
-/// Maximum relative difference of an estimate from the negative of its declared value.
-const NEGATIVE: f64 = 0.5;
+/// Maximum relative difference of an estimate from the negative of its declared value: signs of small coefficients differ
+/// from body to body, and seldom those alone.
+const NEGATIVE: f64 = 0.1;
 
 impl FitReport {
     /// Decides whether the fit is reliable, and states the reasons if it is not.
