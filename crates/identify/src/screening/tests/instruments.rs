@@ -5,6 +5,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{calm_disc, found};
 use crate::error::FaultKind;
+use crate::options::FitOptions;
 use dataset::{Dataset, Reading, Sensor, SensorKind};
 
 /// What is recorded in one sample: position, quaternion, angular velocity and specific force.
@@ -210,4 +211,26 @@ fn poses_in_other_units_axes_and_conventions_are_named() {
         assert_eq!(kind, FaultKind::AttitudeConvention);
         assert!(correction.contains("inertial_to_body"), "{correction}");
     }
+}
+
+#[test]
+fn negatives_of_declared_coefficients_are_told_where_instruments_alone_show_the_axes() {
+    let (model, dataset) = calm_disc(1);
+    let mut report = crate::fit(&model, &dataset, &FitOptions::default())
+        .expect("a fit")
+        .report;
+    let mut told = |kind: &str, sign: f64| {
+        let rms = report.residual_rms.values().next().expect("one").clone();
+        report.residual_rms = [(kind.to_owned(), rms)].into();
+        let lift = report.coefficients.get_mut("C_L0").expect("estimated");
+        lift.value = sign * 1.05 * lift.model_value;
+        report.assess();
+        report
+            .cautions
+            .iter()
+            .any(|own| own.starts_with("C_L0: the sign"))
+    };
+    assert!(told("gyroscope", -1.0));
+    assert!(!told("gyroscope", 1.0));
+    assert!(!told("marker", -1.0));
 }
