@@ -4,7 +4,7 @@
 use flight::throw::ThrownModel;
 use nalgebra::Matrix3;
 
-use super::momentum::{is_clearly_better, turns, unsteadiness};
+use super::momentum::{is_clearly_better, unsteadiness};
 use super::readings::{of_flights, sensors, series};
 use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
@@ -50,7 +50,7 @@ fn convention(
         let flights = dataset.flights.iter();
         let poses =
             |flight| series(flight, channel).map(move |(time, own)| (time, attitude(read(own))));
-        unsteadiness(flights.map(|flight| turns(poses(flight))), inertia)
+        unsteadiness(flights.map(poses), inertia)
     };
     let stated = unsteadiness(|own| own)?;
     let others: [(Read, &str, &str); 3] = [

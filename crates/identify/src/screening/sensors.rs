@@ -17,7 +17,9 @@ const SATURATED: (usize, usize) = (5, 3);
 /// Faults of the readings of all sensors; `tracks` are those of the flights that show attitudes and positions.
 pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) -> Vec<DataFault> {
     let mut faults = Vec::new();
-    let gravity = loads::gravity(problem);
+    let is_instrument = |sensor: &Sensor| matches!(sensor.kind, SensorKind::Instrument(_));
+    let has_instruments = dataset.sensors.iter().any(is_instrument);
+    let gravity = has_instruments.then(|| loads::gravity(problem)).flatten();
     for (sensor, channel) in sensors(dataset) {
         if !matches!(sensor.kind, SensorKind::Summary(_)) {
             let each = dataset.flights.iter();
