@@ -20,7 +20,7 @@ impl Lowering<'_> {
             self.travel(body, &mut dx);
             self.newton(body, &mut dx);
             if let Some(rotation) = &body.rotation {
-                self.angles(&mut dx);
+                self.angles(rotation, &mut dx);
                 self.euler(rotation, &mut dx);
             }
         }
@@ -48,7 +48,9 @@ impl Lowering<'_> {
         let Some(body) = &model.body else { return zero };
         if is_coordinate {
             self.travel(body, &mut dx);
-            self.angles(&mut dx);
+            if let Some(rotation) = &body.rotation {
+                self.angles(rotation, &mut dx);
+            }
         } else if body.velocity.contains(&state) {
             self.newton(body, &mut dx);
         } else if let Some(rotation) = &body.rotation {
@@ -133,10 +135,11 @@ impl Lowering<'_> {
         total.map(|component| self.graph.project(component))
     }
 
-    fn angles(&mut self, dx: &mut [NodeId]) {
+    /// Lowers the derivatives of the angles or the quaternion of the body; those of other frames are stated.
+    fn angles(&mut self, rotation: &Rotation, dx: &mut [NodeId]) {
         let model = self.model;
-        for (k, frame) in model.frames.iter().enumerate() {
-            match frame.kind {
+        for k in frames::path(model, rotation.body_frame) {
+            match model.frames[k].kind {
                 FrameKind::Inertial | FrameKind::Fixed { .. } => {}
                 FrameKind::Turned { angle, rate, .. } => {
                     if let Some(rate) = rate {

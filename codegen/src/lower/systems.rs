@@ -16,7 +16,7 @@ impl Lowering<'_> {
             self.unknowns.push(placeholders);
             self.determinacies.push(zero);
         }
-        let points = typical::Typical::points(&self.layout);
+        let points = typical::Typical::points(model, &self.layout);
         self.is_provisional = true;
         for (index, system) in model.systems.iter().enumerate() {
             let symbols = self.unknowns[index].clone();

@@ -3,6 +3,7 @@
 use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::layout::Layout;
+use model_spec::model::Model;
 
 /// Number of points.
 pub(crate) const POINTS: usize = 5;
@@ -15,17 +16,31 @@ pub(crate) struct Typical {
 }
 
 impl Typical {
-    /// The defaults, and points around them at irregular distances.
-    pub fn points(layout: &Layout) -> Vec<Typical> {
-        let moved = |values: &[f64], point: usize, size: fn(f64) -> f64| {
+    /// The defaults, and points around them at irregular distances; quaternions are of unit norm, since entries that
+    /// vanish for these are no pivots.
+    pub fn points(model: &Model, layout: &Layout) -> Vec<Typical> {
+        let moved = |values: &[f64], point: usize, size: fn(f64) -> f64| -> Vec<f64> {
             let values = values.iter().enumerate();
             let irregular = |k: usize| (1.7 * k as f64 + 2.9 * point as f64).sin();
-            let moved = values.map(|(k, v)| v + point.min(1) as f64 * size(*v) * irregular(k));
-            moved.collect()
+            { values.map(|(k, v)| v + point.min(1) as f64 * size(*v) * irregular(k)) }.collect()
+        };
+        let states = |point: usize| {
+            let mut states = moved(&layout.initial, point, |v| 0.5 * v.abs().max(1.0));
+            for quaternion in model.quaternions() {
+                let norm = quaternion
+                    .map(|k| states[k].powi(2))
+                    .iter()
+                    .sum::<f64>()
+                    .sqrt();
+                for k in quaternion.into_iter().filter(|_| norm > 0.0) {
+                    states[k] /= norm;
+                }
+            }
+            states
         };
         (0..POINTS)
             .map(|point| Typical {
-                states: moved(&layout.initial, point, |v| 0.5 * v.abs().max(1.0)),
+                states: states(point),
                 parameters: moved(&layout.defaults, point, |v| 0.1 * v.abs()),
             })
             .collect()

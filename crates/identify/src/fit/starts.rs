@@ -273,6 +273,10 @@ fn best_minimum<'a>(
         }
         let (state, cache) = &mut arrivals.fits[place];
         exchange_initial_states(state, cache, guesses)?;
+        // No initial states make up for wrong readings or a wrong model.
+        if state.problem.is_misfit(cache.median_scale()) {
+            break;
+        }
     }
     let (best, number) = least_deviance(&arrivals.fits);
     let doubt = format!(
