@@ -194,18 +194,30 @@ pub(crate) fn is_acceleration(kind: &ExprKind) -> bool {
     )
 }
 
+/// Whether loads, stated equations or the observation depend on a state.
+pub fn acts_in(model: &Model, state: usize) -> bool {
+    let is_state = |kind: &ExprKind| matches!(kind, ExprKind::State(own) if *own == state);
+    let known = depending_on(model, is_state);
+    let loads = model.forces.iter().chain(&model.moments);
+    let mut acting = { loads.map(|load| &load.value) }
+        .chain(model.equations.iter().map(|own| &own.value))
+        .chain(model.systems.iter().flat_map(|own| &own.equations))
+        .chain(model.observation.iter().map(|own| &own.value));
+    acting.any(|value| depends(value, &known, &is_state))
+}
+
 /// For each auxiliary variable, whether it depends on a leaf that satisfies `is_leaf`.
-pub(crate) fn depending_on(model: &Model, is_leaf: fn(&ExprKind) -> bool) -> Vec<bool> {
+pub(crate) fn depending_on(model: &Model, is_leaf: impl Fn(&ExprKind) -> bool) -> Vec<bool> {
     let mut known: Vec<bool> = Vec::new();
     for quantity in &model.aux_variables {
-        let found = depends(&quantity.value, &known, is_leaf);
+        let found = depends(&quantity.value, &known, &is_leaf);
         known.push(found);
     }
     known
 }
 
 /// Whether an expression depends on such a leaf; `known` tells it of the auxiliary variables.
-pub(crate) fn depends(e: &Expr, known: &[bool], is_leaf: fn(&ExprKind) -> bool) -> bool {
+pub(crate) fn depends(e: &Expr, known: &[bool], is_leaf: &impl Fn(&ExprKind) -> bool) -> bool {
     match &e.kind {
         kind if is_leaf(kind) => return true,
         ExprKind::AuxVariable(index) => return known.get(*index).copied().unwrap_or(false),

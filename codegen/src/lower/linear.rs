@@ -3,10 +3,11 @@
 //! Pivots are chosen in this order: the only entry of a row or column; entries that parameters alone determine and that
 //! cannot vanish but by a parameter, such as masses, with the fewest new entries; of the rest, up to three unknowns by
 //! Cramer's rule, which divides by the determinant alone. Of more, the pivots are those that are large, for their row, at
-//! [typical points](super::typical); what they lose to cancellation elsewhere is the determinacy.
+//! [typical points](super::typical), and keep their sign; where no entry does, the row is chosen at run time. What pivots
+//! lose to cancellation is the determinacy.
 
 use super::solve::determinant;
-use super::typical::Typical;
+use super::typical::{self, Typical};
 use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
@@ -60,6 +61,9 @@ pub(crate) fn solve(
         elimination.cramer(&mut found);
     } else {
         while let Some((row, column)) = elimination.large_pivot() {
+            if !elimination.keeps_sign(row, column) {
+                elimination.choose_row(row, column);
+            }
             elimination.eliminate(row, column);
         }
     }
@@ -71,7 +75,7 @@ struct Elimination<'g> {
     matrix: Vec<Vec<NodeId>>,
     /// Sums of the sizes of the terms of each entry.
     sizes: Vec<Vec<NodeId>>,
-    /// Values of the entries at each typical point.
+    /// Values of the entries at each typical point, and at each point far from it.
     numbers: Vec<Vec<Vec<f64>>>,
     right: Vec<NodeId>,
     /// Rows and columns that are not eliminated yet.
@@ -117,7 +121,8 @@ impl Elimination<'_> {
         let mut found: Vec<(f64, usize, (usize, usize))> = Vec::new();
         for &row in &self.rows {
             for &column in self.columns.iter().filter(|&&c| self.is_entry(row, c)) {
-                let mut shares: Vec<f64> = { self.numbers.iter() }
+                let typical = &self.numbers[..typical::POINTS];
+                let mut shares: Vec<f64> = { typical.iter() }
                     .map(|numbers| {
                         let entries = self.columns.iter().map(|&c| numbers[row][c].abs());
                         numbers[row][column].abs() / entries.fold(0.0, f64::max)
@@ -132,7 +137,66 @@ impl Elimination<'_> {
         }
         let best = found.iter().map(|own| own.0).fold(0.0, f64::max);
         let large = found.iter().filter(|own| own.0 >= THRESHOLD * best);
-        large.min_by_key(|own| own.1).map(|own| own.2)
+        let first = large
+            .min_by_key(|&&(_, others, (row, column))| (!self.keeps_sign(row, column), others));
+        first.map(|own| own.2)
+    }
+
+    /// Whether an entry has the same sign at all points; between two signs it vanishes.
+    fn keeps_sign(&self, row: usize, column: usize) -> bool {
+        let values = self.numbers.iter().map(|numbers| numbers[row][column]);
+        let mut values = values.filter(|value| !value.is_nan());
+        values.clone().all(|value| value > 0.0) || values.all(|value| value < 0.0)
+    }
+
+    /// Exchanges a row, where the column is small in it, with the one in which it is largest, relative to what rows
+    /// usually contain.
+    fn choose_row(&mut self, row: usize, column: usize) {
+        let others = self.rows.iter().copied();
+        let others = others.filter(|&other| other != row && self.is_entry(other, column));
+        for other in others.collect::<Vec<_>>() {
+            let [own, theirs] = [row, other].map(|r| {
+                let entry = size(self.graph, self.matrix[r][column]);
+                let weight = self.graph.number(Number::literal(self.weight(r), None));
+                self.graph.mul(weight, entry)
+            });
+            let (less, zero) = (self.graph.sub(theirs, own), self.graph.whole(0));
+            let is_larger = self.graph.call2(BinaryFunction::Max, less, zero);
+            let mut exchange = |a: &mut NodeId, b: &mut NodeId| {
+                let (above, below) = (*a, *b);
+                *a = self.graph.if_zero(is_larger, above, below);
+                *b = self.graph.if_zero(is_larger, below, above);
+            };
+            let [upper, lower] = self
+                .matrix
+                .get_disjoint_mut([row, other])
+                .expect("two rows");
+            let [larger, smaller] = self.sizes.get_disjoint_mut([row, other]).expect("two rows");
+            for &c in &self.columns {
+                exchange(&mut upper[c], &mut lower[c]);
+                exchange(&mut larger[c], &mut smaller[c]);
+            }
+            let [above, below] = self.right.get_disjoint_mut([row, other]).expect("two rows");
+            exchange(above, below);
+            let [own, theirs] = [row, other].map(|r| self.weight(r));
+            for numbers in &mut self.numbers {
+                if theirs * numbers[other][column].abs() > own * numbers[row][column].abs() {
+                    numbers.swap(row, other);
+                }
+            }
+        }
+    }
+
+    /// Power of two near the inverse of the usual size of a row's entries.
+    fn weight(&self, row: usize) -> f64 {
+        let greatest = { self.numbers.iter() }.map(|numbers| {
+            let entries = self.columns.iter().map(|&c| numbers[row][c].abs());
+            entries.fold(0.0, f64::max)
+        });
+        let mut greatest: Vec<f64> = greatest.filter(|size| *size > 0.0).collect();
+        greatest.sort_by(f64::total_cmp);
+        let usual = greatest.get(greatest.len() / 2).copied().unwrap_or(1.0);
+        (-usual.log2()).round().clamp(-60.0, 60.0).exp2()
     }
 
     /// Takes the entry as pivot, and subtracts its row from the others.

@@ -5,8 +5,9 @@ use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::layout::Layout;
 use model_spec::model::Model;
 
-/// Number of points.
+/// Number of points near the defaults, and of further ones that are far from them.
 pub(crate) const POINTS: usize = 5;
+const FAR_POINTS: usize = 24;
 
 /// States and parameters at which nodes are evaluated.
 #[derive(Clone, Debug)]
@@ -16,8 +17,8 @@ pub(crate) struct Typical {
 }
 
 impl Typical {
-    /// The defaults, and points around them at irregular distances; quaternions are of unit norm, since entries that
-    /// vanish for these are no pivots.
+    /// The defaults, and points around them at irregular distances, the far ones beyond half a turn; quaternions are of
+    /// unit norm, since entries that vanish for these are no pivots.
     pub fn points(model: &Model, layout: &Layout) -> Vec<Typical> {
         let moved = |values: &[f64], point: usize, size: fn(f64) -> f64| -> Vec<f64> {
             let values = values.iter().enumerate();
@@ -25,7 +26,11 @@ impl Typical {
             { values.map(|(k, v)| v + point.min(1) as f64 * size(*v) * irregular(k)) }.collect()
         };
         let states = |point: usize| {
-            let mut states = moved(&layout.initial, point, |v| 0.5 * v.abs().max(1.0));
+            let size = match point < POINTS {
+                true => |v: f64| 0.5 * v.abs().max(1.0),
+                false => |v: f64| 4.0 * v.abs().max(1.0),
+            };
+            let mut states = moved(&layout.initial, point, size);
             for quaternion in model.quaternions() {
                 let norm = quaternion
                     .map(|k| states[k].powi(2))
@@ -38,7 +43,7 @@ impl Typical {
             }
             states
         };
-        (0..POINTS)
+        (0..POINTS + FAR_POINTS)
             .map(|point| Typical {
                 states: states(point),
                 parameters: moved(&layout.defaults, point, |v| 0.1 * v.abs()),

@@ -19,7 +19,7 @@ pub struct IntegrationOptions {
     /// Initial step size, in the time unit of the right-hand side f. If `None` (the default), it is estimated from the
     /// values of f at the initial state and after a trial Euler step (Hairer, Nørsett & Wanner, II.4).
     pub first_step: Option<f64>,
-    /// Maximum number of accepted and rejected steps together; default 100,000.
+    /// Maximum number of accepted and rejected steps together; default 100,000. Each break of time allows four more.
     pub max_steps: usize,
 }
 

@@ -9,7 +9,7 @@ use crate::input::{check_input, failure, first_non_finite, non_finite_derivative
 use crate::method::{ErrorTolerance, Stepper};
 use crate::projection::Projection;
 use crate::step_control::{PiGains, PiMemory, initial_step};
-use crate::time_breaks::{StepEnd, just_after, segment_end};
+use crate::time_breaks::{StepEnd, just_after, segment_end, steps_at};
 use crate::{IntegrationError, IntegrationFailure, IntegrationOptions, OdeRhs, SolverStats};
 
 /// Minimum step size as a fraction of the largest absolute time of the integration.
@@ -119,7 +119,9 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
             h,
             min_step: MIN_RELATIVE_STEP * t.abs().max(t_end.abs()).max(t_end - t),
             max_step: options.max_step,
-            max_steps: options.max_steps,
+            max_steps: options
+                .max_steps
+                .saturating_add(steps_at(rhs.time_breaks())),
             tolerance,
             gains,
             memory: gains.start(),

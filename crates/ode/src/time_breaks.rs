@@ -7,6 +7,14 @@ fn margin(time_break: f64) -> f64 {
     32.0 * f64::EPSILON * time_break.abs().max(1.0)
 }
 
+/// Steps that each break allows beyond the maximum number of steps.
+const STEPS_AT_BREAK: usize = 4;
+
+/// Number of further steps that `breaks` allow.
+pub(crate) fn steps_at(breaks: &[f64]) -> usize {
+    STEPS_AT_BREAK * breaks.len()
+}
+
 /// End of the last step of a segment from `t`: just before the next of the increasing `breaks`, or `t_end`.
 pub(crate) fn segment_end(breaks: &[f64], t: f64, t_end: f64) -> f64 {
     let next = breaks.partition_point(|time| time - margin(*time) <= t);

@@ -192,6 +192,41 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// Checks the mass and the inertia tensor of each body after the first one, whose laws are written out.
+    pub fn further_bodies(&mut self) {
+        let bodies = of_kind!(self.file.items.iter(), ItemKind::Body).skip(1);
+        for body in bodies.collect::<Vec<_>>() {
+            let (parts, _) = Parts::of(body);
+            if let Some(mass) = parts.mass {
+                self.constant_of_body(mass, Unit::KILOGRAM, "the mass", false);
+            }
+            let Some((inertia, span)) = parts.inertia else {
+                continue;
+            };
+            let Some(entries) = self.inertia_entries(inertia, span) else {
+                continue;
+            };
+            let values = entries
+                .each_ref()
+                .map(|row| row.each_ref().map(|e| self.value(e)));
+            if let [
+                [Some(a), Some(b), Some(c)],
+                [_, Some(d), Some(e)],
+                [.., Some(f)],
+            ] = values
+                && (a * d <= b * b
+                    || a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d) <= 0.0)
+            {
+                let message = format!(
+                    "the inertia tensor of `{}` is not positive definite by default",
+                    body.name.text
+                );
+                let fault = Diagnostic::new(Kind::Value, span, message);
+                self.report(fault.help("check the signs and sizes of the products of inertia"));
+            }
+        }
+    }
+
     /// Resolves a mass or an inertia entry, which messages call `what`; reports one that can vary or, unless `signed`,
     /// is not positive.
     pub fn constant_of_body(

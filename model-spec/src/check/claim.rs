@@ -100,7 +100,8 @@ impl<'a> Checker<'a> {
         // Auxiliary variables come after those that they use.
         let mut follows = vec![false; self.model.aux_variables.len()];
         for (i, variable) in self.model.aux_variables.iter().enumerate() {
-            follows[i] = of_equations.contains(&i) || depends(&variable.value, &follows, |_| false);
+            follows[i] =
+                of_equations.contains(&i) || depends(&variable.value, &follows, &|_| false);
         }
         let mut culprit = None;
         e.walk(&mut |e| {

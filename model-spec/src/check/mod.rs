@@ -222,6 +222,7 @@ impl<'a> Checker<'a> {
         self.definitions();
         self.functions();
         self.body();
+        self.further_bodies();
         self.equations();
         self.systems();
         self.claim();

@@ -155,7 +155,7 @@ impl Checker<'_> {
         let statements = model.statements().into_iter();
         let before = statements.filter(|own| own.0 != "an observation");
         let found: Vec<(Span, &str)> = before
-            .filter(|(_, _, value, _)| depends(value, &known, is_acceleration))
+            .filter(|(_, _, value, _)| depends(value, &known, &is_acceleration))
             .map(|(what, _, value, _)| (value.span, what))
             .collect();
         for (span, what) in found {

@@ -4,13 +4,16 @@ use std::collections::BTreeSet;
 
 use super::EffectTree;
 use crate::location::Span;
-use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, UnitFactor};
+use crate::syntax::ast::{
+    Equation, ExprKind, File, FrameKind, ItemKind, State, UnitExpr, UnitFactor,
+};
 use crate::syntax::of_kind;
 
 /// Maximum number of equations per model for which effects are created.
 const MAX_EQUATIONS: usize = 24;
 
-/// Creates three effects for each equation of a model without a body, except those that only name a state.
+/// Creates three effects for each equation of a model without a body, except those that only name a state and those of
+/// quaternions, whose norm is 1.
 pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
     if file.body().is_some() {
         return Vec::new();
@@ -20,7 +23,14 @@ pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
         .iter()
         .map(|state| state.name.text.as_str())
         .collect();
-    let equations = equations(file).filter(|equation| !is_state(equation, &named));
+    let quaternions = file.frames().filter_map(|frame| match &frame.kind {
+        FrameKind::Quaternion { states, .. } => Some(states.each_ref().map(|own| &*own.text)),
+        _ => None,
+    });
+    let of_attitude: BTreeSet<&str> = quaternions.flatten().collect();
+    let equations = equations(file).filter(|equation| {
+        !is_state(equation, &named) && !of_attitude.contains(&*equation.state.text)
+    });
     equations
         .take(MAX_EQUATIONS)
         .filter_map(|equation| {

@@ -191,3 +191,39 @@ fn pure_numbers_in_types_are_printed_as_they_are_read() {
     assert!(again.diagnostics.is_empty(), "{printed}");
     assert_eq!(again.file.to_string(), printed);
 }
+
+#[test]
+fn mass_and_inertia_of_each_body_are_checked() {
+    let text = |mass: &str, inertia: &str| {
+        format!(
+            "model pair; frame N; frame C = N by quaternion (e0, e1, e2, e3);
+             point first {{ mass 1 kg; position (x, y, z) in N; velocity (u, v, w) in N; }}
+             body second {{ mass {mass}; inertia {inertia} in C; fixed in C; position (x2, y2, z2) in N;
+               velocity (u2, v2, w2) in N; angular velocity (p, q, r) in C; }}"
+        )
+    };
+    let right = "((2, 0.5, 0), (0.5, 1, 0), (0, 0, 1)) kg*m^2";
+    from_text("pair.hyz", &text("1 kg", right), &[]).unwrap_or_else(|error| panic!("{error}"));
+    for (mass, inertia, expected) in [
+        ("-1 kg", right, "the mass must be positive"),
+        ("1 kg", "diag(1, -1, 1) kg*m^2", "must be positive"),
+        (
+            "1 kg",
+            "((1, 0.5, 0), (0.1, 1, 0), (0, 0, 1)) kg*m^2",
+            "moments of inertia are symmetric",
+        ),
+        (
+            "1 kg",
+            "((1, 5, 0), (5, 1, 0), (0, 0, 1)) kg*m^2",
+            "of `second` is not positive definite",
+        ),
+        (
+            "1 kg",
+            "((1, 0.9, 0.9), (0.9, 1, -0.9), (0.9, -0.9, 1)) kg*m^2",
+            "is not positive definite",
+        ),
+    ] {
+        let error = from_text("pair.hyz", &text(mass, inertia), &[]).expect_err(expected);
+        assert!(error.to_string().contains(expected), "{error}");
+    }
+}

@@ -8,8 +8,8 @@ mod noise;
 mod spread;
 mod truth;
 
-use flight::CompiledModel;
 use flight::release::Release;
+use flight::{CompiledModel, InputInterpolation};
 use model_spec::model::Model;
 
 pub use error::{OutOfRange, SimulationError, SynthesisError};
@@ -155,6 +155,7 @@ pub fn flights(
             parameters,
             markers,
             flights,
+            input_interpolation: interpolations(releases).next().unwrap_or_default(),
             ..Dataset::default()
         },
         truth: Truth {
@@ -167,6 +168,12 @@ pub fn flights(
             initial,
         },
     })
+}
+
+/// Interpolation of each input over time of each release.
+fn interpolations(releases: &[Release]) -> impl Iterator<Item = InputInterpolation> {
+    let inputs = releases.iter().flat_map(|release| &release.inputs);
+    inputs.map(|(_, series)| series.interpolation())
 }
 
 fn check(model: &Model, releases: &[Release], plan: &Plan) -> Result<(), SynthesisError> {
@@ -183,6 +190,10 @@ fn check(model: &Model, releases: &[Release], plan: &Plan) -> Result<(), Synthes
         (
             releases.iter().all(is_same),
             "found releases of different bodies, expected the same parameters and coefficients in all".into(),
+        ),
+        (
+            interpolations(releases).is_sorted_by(|one, other| one == other),
+            "found inputs over time of different interpolations, expected one for all of a dataset".into(),
         ),
         (
             model.observation.is_some(),

@@ -3,6 +3,7 @@
 use dataset::synthesize::{Corruption, Plan, Spread, SynthesisError, SyntheticDataset, flights};
 use dataset::{KnownValue, Role, load, write};
 use flight::release::{Release, Stop, Vocabulary, built_in, read};
+use flight::{InputInterpolation, InputSeries};
 use model_spec::model::Model;
 
 fn released(name: &str) -> (Model, Release) {
@@ -266,4 +267,41 @@ fn a_flight_out_of_the_model_is_named() {
             "{told}"
         );
     }
+}
+
+#[test]
+fn inputs_of_releases_are_written_with_their_interpolation() {
+    let text = "model cart; frame N; input throttle = 0; param m = 1 kg;
+        point cart { mass m; position (x, y, z) in N; velocity (u, v, w) in N; }
+        force push = throttle*1 [N]*N.1;";
+    let model = model_spec::load::from_text("cart.hyz", text, &[]).expect("a model");
+    let with = |interpolation| {
+        let samples = [(0.0, 0.2), (0.5, 0.8), (1.1, 0.3), (2.0, 0.5)];
+        let mut release = Release::of(&model);
+        release.inputs = vec![("throttle".into(), InputSeries::new(&samples, interpolation))];
+        release
+    };
+    let plan = Plan {
+        flights: 2,
+        duration: Some(1.0),
+        ..Plan::default()
+    };
+    let around = tempfile::tempdir().expect("a folder");
+    for interpolation in [InputInterpolation::Hold, InputInterpolation::Cubic] {
+        let made = flights(&model, &[with(interpolation)], &plan)
+            .expect("flights")
+            .dataset;
+        let folder = around.path().join(format!("{interpolation:?}"));
+        write(&folder, &made).expect("written");
+        assert_eq!(load(&folder).expect("read"), made);
+    }
+    let both = [
+        with(InputInterpolation::Hold),
+        with(InputInterpolation::Linear),
+    ];
+    let error = flights(&model, &both, &plan).expect_err("one for all");
+    assert!(
+        error.to_string().contains("different interpolations"),
+        "{error}"
+    );
 }

@@ -6,7 +6,7 @@ use dataset::Dataset;
 use model_spec::LoadError;
 use model_spec::compose::{EffectTree, ModelTree, known_effects};
 use model_spec::index::IndexVec;
-use model_spec::layout::{Layout, ParamId, StateId};
+use model_spec::layout::{Layout, ParamId, StateId, acts_in};
 use model_spec::model::{AppliedEffect, Model};
 use model_spec::term_library::TermLibrary;
 
@@ -72,13 +72,16 @@ fn candidate_effects(model: &Model, without: &[String]) -> Vec<EffectTree> {
         .collect()
 }
 
-/// Effects with a value in each flight that stand for an input nobody measured, although a flight states it.
+/// Effects with a value in each flight that stand for an input nobody measured, although a flight states it or the model
+/// depends on it, so that its unknown values are estimated.
 pub(crate) fn of_stated_inputs(model: &Model, dataset: &Dataset) -> Vec<String> {
     let is_stated = |name: &str| {
         let mut flights = dataset.flights.iter();
         let unknown = model.unknown_states();
-        flights.any(|flight| flight.known.contains_key(name) && is_input(model, name))
-            || unknown.iter().any(|(own, _)| own == name)
+        flights.any(|flight| flight.known.contains_key(name) && is_input(model, name)) || {
+            unknown.iter()
+        }
+        .any(|(own, state)| own == name && acts_in(model, *state))
     };
     let effects = EffectTree::built_in().iter();
     let stand_in = effects.filter(|effect| {

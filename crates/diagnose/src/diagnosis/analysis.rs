@@ -199,7 +199,8 @@ impl<'a> Analysis<'a> {
         }
         report::describe_departures(&mut report);
         report::withdraw_by_excess(&mut report, self.before.report.excess.as_ref());
-        report::withdraw_by_doubts(&mut report, &self.before.report);
+        let extended = after.as_ref().map(|(_, fit)| &fit.report);
+        report::withdraw_by_doubts(&mut report, &self.before.report, extended);
         let is_out_of_time = context.is_out_of_time();
         let is_undecided = self.search.accepted.is_empty() || self.is_nearest_only;
         if is_out_of_time || (self.model.is_exhausted() && is_undecided) {

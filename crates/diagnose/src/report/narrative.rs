@@ -219,7 +219,7 @@ fn details(report: &Report) -> String {
     let first = report.explanations.first();
     match report.verdict {
         Verdict::Adequate => format!(
-            " None of {} is significant (familywise p-value {}).",
+            " None of {} is significant at the familywise level {}.",
             count(report.tests.len(), "candidate effect"),
             stated(report.threshold.alpha)
         ),

@@ -15,14 +15,20 @@ const MAX_DEPARTURES: usize = 3;
 /// Fraction of the misfit that an explanation must account for if residuals remain and the flights do not agree on it.
 const MIN_EXPLAINED: f64 = 0.9;
 
-/// Replaces the lack-of-fit test by that of the extended model, and the share of the first explanation.
+/// Replaces the lack-of-fit test by that of the extended model, and the shares of the explanations: what the first one
+/// leaves is measured, and the others leave as much more as their χ² falls less.
 pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
     if let (Some(before), Some(after)) = (&report.lack_of_fit, &residuals)
-        && let Some(first) = report.explanations.first_mut()
+        && let Some(decrease) = report.explanations.first().map(|first| first.chi2_decrease)
     {
-        let left = after.excess_chi2 / before.excess_chi2.max(f64::MIN_POSITIVE);
-        first.explained_fraction = (1.0 - left).clamp(0.0, 1.0);
-        first.remaining_rms_m = after.beyond_noise_m;
+        let excess = before.excess_chi2.max(f64::MIN_POSITIVE);
+        for explanation in &mut report.explanations {
+            let more = (decrease - explanation.chi2_decrease) / excess;
+            let left = (after.excess_chi2 / excess + more).clamp(0.0, 1.0);
+            let squares = after.beyond_noise_m.powi(2) + before.beyond_noise_m.powi(2) * more;
+            explanation.explained_fraction = 1.0 - left;
+            explanation.remaining_rms_m = squares.max(0.0).sqrt();
+        }
     }
     report.lack_of_fit = residuals.or(report.lack_of_fit.take());
 }
@@ -97,9 +103,21 @@ pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
 }
 
 /// Withdraws the verdict where the data contradict what the user states, most flights could not be used, or recorded inputs
-/// are too noisy: the effect may stand in for it.
-pub(crate) fn withdraw_by_doubts(report: &mut Report, before: &FitReport) {
-    let mut doubts = before.conflicts();
+/// are too noisy: the effect may stand in for it. A prior that the data contradict no more once the model is extended, and
+/// fits, was contradicted for want of the effect.
+pub(crate) fn withdraw_by_doubts(
+    report: &mut Report,
+    before: &FitReport,
+    after: Option<&FitReport>,
+) {
+    let alpha = report.threshold.alpha;
+    let fits = report
+        .lack_of_fit
+        .as_ref()
+        .is_some_and(|found| !found.fails(alpha));
+    let after = after.filter(|_| fits);
+    let mut doubts = before.contradicted.clone();
+    doubts.extend(after.unwrap_or(before).prior_conflicts());
     doubts.extend(exclusion_caution(before));
     doubts.extend(input_noise(before));
     if doubts.is_empty() || !matches!(report.verdict, Verdict::Identified | Verdict::Ambiguous) {

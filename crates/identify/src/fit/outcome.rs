@@ -78,7 +78,7 @@ pub fn reports(
     );
     let mut doubts = state.doubts.clone();
     doubts.extend(nonlinear(state, fitted, &covariance, &not_identifiable)?);
-    let doubt_of_summaries = summary_noise::doubt(state, &fitted.noise)
+    let doubt_of_summaries = summary_noise::doubt(state, &fitted.noise, &covariance.model)
         .map_err(|reason| flight_error(&state.flights[0], reason))?;
     let report = FitReport {
         schema: "hyzer.fit/2".into(),

@@ -42,8 +42,8 @@ const WITHOUT_EFFECT: (f64, usize) = (1e-6, 2);
 type Arrival<'a> = (State<'a>, ResidualCache);
 
 /// Tries other starts as long as the fit may have ended in a wrong minimum: samples corrected for the distortion that
-/// the present parameters predict; multiple shooting from the model's values; and multiple shooting from other values
-/// of parameters that have no effect. A better fit replaces the present one; its residuals are returned.
+/// the present parameters predict; multiple shooting from the model's values; and other values of parameters that have
+/// no effect, from the present ones and by multiple shooting. A better fit replaces the present one; its residuals are returned.
 pub fn restart(state: &mut State<'_>, mut cache: ResidualCache) -> Result<ResidualCache, FitError> {
     for _ in 0..MAX_STARTS {
         if !take_better(state, &mut cache, from_undistorted)? {
@@ -53,6 +53,7 @@ pub fn restart(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Residu
     take_better(state, &mut cache, |state| shoot(state, None))?;
     if is_suspect(state, &cache) {
         for start in without_effect(state) {
+            take_better(state, &mut cache, |state| moved(state, start))?;
             take_better(state, &mut cache, |state| shoot(state, Some(start)))?;
         }
     }
@@ -248,6 +249,19 @@ fn without_effect(state: &State<'_>) -> Vec<(usize, f64)> {
         is_hidden.then(|| [(index, at(0.25)), (index, at(0.75))])
     });
     hidden.take(WITHOUT_EFFECT.1).flatten().collect()
+}
+
+/// Fits whole flights from the present values but for the parameter `changed` (index, value): where it vanishes, so do
+/// the derivatives by what it multiplies, such as an unknown spin.
+fn moved<'a>(
+    state: &State<'a>,
+    (parameter, value): (usize, f64),
+) -> Result<Option<Arrival<'a>>, FitError> {
+    let mut state = state.clone();
+    state.limits.fill(f64::INFINITY);
+    state.global[parameter] = value;
+    let cache = anneal_scale(&mut state)?;
+    Ok(Some((state, cache)))
 }
 
 /// Fits arcs of increasing length, then whole flights, from the model's values but for the parameter `changed` (index,

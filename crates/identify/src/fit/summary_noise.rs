@@ -1,6 +1,8 @@
 //! Noise of the columns of summaries: the sum of squared residuals over their redundancy, the number of values less the
 //! leverages of the unknowns on them (Förstner 1979, estimation of variance components).
 
+use std::collections::BTreeMap;
+
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
@@ -43,46 +45,12 @@ pub fn estimate(state: &State<'_>, noise: &mut NoiseModel) -> Result<(), FlightE
     if estimated.is_empty() {
         return Ok(());
     }
-    let flights = state.flights.iter().zip(&state.local);
-    let flights = flights.filter(|(flight, _)| flight.is_summary);
-    let flights: Vec<(Vec<Row>, _)> = flights
-        .map(|(flight, local)| Ok((rows(state, flight, local)?, (flight, local))))
-        .collect::<Result<_, FlightError>>()?;
+    let flights = flights(state)?;
     for _ in 0..ITERATIONS.0 {
-        let mut sums = vec![(0.0, 0.0); problem.channels.len()];
-        let mut factors = Vec::with_capacity(flights.len());
-        let globals = problem.globals.len();
-        let mut reduced = DMatrix::zeros(globals, globals);
-        for (rows, (flight, local)) in &flights {
-            let mut block = NormalBlock::zero(flight.manifold.dimension(), globals);
-            for row in rows {
-                let weight = 1.0 / noise.of(row.channel).sigma[0];
-                let (by_local, by_global) = (&row.by_local * weight, &row.by_global * weight);
-                block.add(weight * row.residual, &by_local, &by_global);
-            }
-            add_state_priors(flight, local, &mut block);
-            let factor = ScaledCholesky::independent(&block.local, 0.0);
-            let factor = factor.ok_or(FlightError::SingularInitialState)?;
-            let through = factor.solve_matrix(&block.cross);
-            reduced += &block.global - block.cross.tr_mul(&through);
-            factors.push((factor, through));
-        }
-        let covariance =
-            pseudo_inverse(&reduced).unwrap_or_else(|| DMatrix::zeros(globals, globals));
-        for ((rows, _), (factor, through)) in flights.iter().zip(&factors) {
-            for row in rows.iter().filter(|row| estimated.contains(&row.channel)) {
-                let beyond = &row.by_global - through.tr_mul(&row.by_local);
-                let variance = row.by_local.dot(&factor.solve(&row.by_local))
-                    + beyond.dot(&(&covariance * &beyond));
-                let weight = noise.of(row.channel).sigma[0].powi(-2);
-                let (squares, redundancy) = &mut sums[row.channel];
-                *squares += row.residual * row.residual;
-                *redundancy += 1.0 - (variance * weight).min(1.0);
-            }
-        }
+        let sums = redundancy(&flights, noise, None)?;
         let mut change: f64 = 0.0;
         for &channel in &estimated {
-            let (squares, redundancy) = sums[channel];
+            let (squares, redundancy) = sums.get(&channel).copied().unwrap_or_default();
             let sigma = (squares / redundancy.max(LEAST_REDUNDANCY)).sqrt();
             let sigma = sigma.max(LEAST_NOISE * problem.sigma0);
             let own = noise.of_mut(channel);
@@ -97,6 +65,58 @@ pub fn estimate(state: &State<'_>, noise: &mut NoiseModel) -> Result<(), FlightE
     Ok(())
 }
 
+/// Rows of a flight, with its observations and initial state.
+type FlightRows<'a> = (Vec<Row>, &'a Observations, &'a DVector<f64>);
+
+fn flights<'a>(state: &'a State<'_>) -> Result<Vec<FlightRows<'a>>, FlightError> {
+    let flights = state.flights.iter().zip(&state.local);
+    let summaries = flights.filter(|(flight, _)| flight.is_summary);
+    let with_rows =
+        summaries.map(|(flight, local)| Ok((rows(state, flight, local)?, flight, local)));
+    with_rows.collect()
+}
+
+/// Sum of squares and redundancy of each channel. `covariance` is that of the global parameters; `None` if the rows alone
+/// determine them.
+fn redundancy(
+    flights: &[FlightRows<'_>],
+    noise: &NoiseModel,
+    covariance: Option<&DMatrix<f64>>,
+) -> Result<BTreeMap<usize, (f64, f64)>, FlightError> {
+    let all = flights.iter().flat_map(|(rows, ..)| rows);
+    let globals = { all }.map(|row| row.by_global.len()).next().unwrap_or(0);
+    let (mut factors, mut reduced) = (Vec::new(), DMatrix::zeros(globals, globals));
+    for (rows, flight, local) in flights {
+        let mut block = NormalBlock::zero(flight.manifold.dimension(), globals);
+        for row in rows {
+            let weight = 1.0 / noise.of(row.channel).sigma[0];
+            let (by_local, by_global) = (&row.by_local * weight, &row.by_global * weight);
+            block.add(weight * row.residual, &by_local, &by_global);
+        }
+        add_state_priors(flight, local, &mut block);
+        let factor = ScaledCholesky::independent(&block.local, 0.0);
+        let factor = factor.ok_or(FlightError::SingularInitialState)?;
+        let through = factor.solve_matrix(&block.cross);
+        reduced += &block.global - block.cross.tr_mul(&through);
+        factors.push((factor, through));
+    }
+    let own = || pseudo_inverse(&reduced).unwrap_or_else(|| DMatrix::zeros(globals, globals));
+    let covariance = covariance.cloned().unwrap_or_else(own);
+    let mut sums = BTreeMap::new();
+    for ((rows, ..), (factor, through)) in flights.iter().zip(&factors) {
+        for row in rows {
+            let beyond = &row.by_global - through.tr_mul(&row.by_local);
+            let variance = row.by_local.dot(&factor.solve(&row.by_local))
+                + beyond.dot(&(&covariance * &beyond));
+            let weight = noise.of(row.channel).sigma[0].powi(-2);
+            let (squares, redundancy) = sums.entry(row.channel).or_insert((0.0, 0.0));
+            *squares += row.residual * row.residual;
+            *redundancy += 1.0 - (variance * weight).min(1.0);
+        }
+    }
+    Ok(sums)
+}
+
 /// Channels of outcomes whose noise is not stated.
 fn estimated(problem: &FitProblem) -> Vec<usize> {
     let channels = problem.channels.iter().enumerate();
@@ -106,15 +126,17 @@ fn estimated(problem: &FitProblem) -> Vec<usize> {
 }
 
 /// Why rows of summaries leave a doubt whether the model fits them: no test is possible, or they fail it; `None` if
-/// there are no rows, or they pass.
+/// there are no rows, or they pass. `covariance` is that of the global parameters.
 ///
 /// # Errors
 /// [`FlightError`] if a flight cannot be integrated.
-pub fn doubt(state: &State<'_>, noise: &NoiseModel) -> Result<Option<String>, FlightError> {
+pub fn doubt(
+    state: &State<'_>,
+    noise: &NoiseModel,
+    covariance: &DMatrix<f64>,
+) -> Result<Option<String>, FlightError> {
     let problem = state.problem;
-    let flights = state.flights.iter().zip(&state.local);
-    let mut summaries = flights.filter(|(flight, _)| flight.is_summary).peekable();
-    if summaries.peek().is_none() {
+    if !state.flights.iter().any(|flight| flight.is_summary) {
         return Ok(None);
     }
     let estimated = estimated(problem);
@@ -126,13 +148,12 @@ pub fn doubt(state: &State<'_>, noise: &NoiseModel) -> Result<Option<String>, Fl
              them: state each `sigma`, and compare held-out rows"
         )));
     }
-    let (mut squares, mut freedom) = (0.0, -(problem.globals.len() as f64));
-    for (flight, local) in summaries {
-        let rows = rows(state, flight, local)?;
-        let weighted = { rows.iter() }.map(|row| row.residual / noise.of(row.channel).sigma[0]);
-        squares += weighted.map(|residual| residual * residual).sum::<f64>();
-        freedom += rows.len() as f64 - flight.manifold.dimension() as f64;
-    }
+    let sums = redundancy(&flights(state)?, noise, Some(covariance))?;
+    let weighted = |(channel, (squares, _)): (&usize, &(f64, f64))| {
+        squares / noise.of(*channel).sigma[0].powi(2)
+    };
+    let squares: f64 = sums.iter().map(weighted).sum();
+    let freedom: f64 = sums.values().map(|(_, redundancy)| redundancy).sum();
     let Ok(distribution) = ChiSquared::new(freedom.max(1.0)) else {
         return Ok(None);
     };

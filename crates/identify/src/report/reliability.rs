@@ -40,9 +40,15 @@ impl FitReport {
     /// Sentences on what the user states and the data contradict.
     #[doc(hidden)]
     pub fn conflicts(&self) -> Vec<String> {
-        let coefficients = self.coefficients.iter();
-        let priors = coefficients.filter_map(|(name, own)| prior_conflict(name, own));
+        let priors = self.prior_conflicts();
         priors.chain(self.contradicted.iter().cloned()).collect()
+    }
+
+    /// Sentences on priors that the data contradict.
+    #[doc(hidden)]
+    pub fn prior_conflicts(&self) -> impl Iterator<Item = String> {
+        let coefficients = self.coefficients.iter();
+        coefficients.filter_map(|(name, own)| prior_conflict(name, own))
     }
 }
 

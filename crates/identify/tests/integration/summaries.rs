@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use dataset::synthesize::{Plan, flights};
-use dataset::{Dataset, Flight, Role, from_texts};
+use dataset::{Dataset, Flight, KnownValue, Role, from_texts};
 use flight::release::{Vocabulary, read};
 use identify::{
     Fit, FitOptions, FitProblem, FlightId, LocalId, PointResidual, each_residual, fit, resolve,
@@ -201,6 +201,27 @@ fn intervals_hold_the_coefficients_of_simulated_shots() {
     let share = f64::from(held) / f64::from(all);
     println!("the intervals hold {held} of {all} coefficients");
     assert!((0.93..=0.97).contains(&share), "{held} of {all}");
+}
+
+/// A prior of each row is not an unknown that takes up data.
+#[test]
+fn rows_with_measured_wind_pass_as_those_without() {
+    let model = model_spec::load::load("golf_ball", &[]).expect("built in");
+    let wind = [("wind", [0.0; 3]), ("wind_sigma", [0.1, 0.1, 0.001])];
+    for known in [&wind[..0], &wind] {
+        let doubtful = (0..20).filter(|seed| {
+            let mut dataset = dataset(12, *seed, |_| true);
+            for flight in &mut dataset.flights {
+                let known = known.iter().copied();
+                flight.known.extend(
+                    known.map(|(name, value)| (name.to_owned(), KnownValue::Vector(value))),
+                );
+            }
+            let found = fit(&model, &dataset, &options()).expect("a fit");
+            found.report.doubt_of_summaries.is_some()
+        });
+        assert!(doubtful.count() <= 1, "{known:?}");
+    }
 }
 
 /// Tracks of the golf ball, whose spin is known, made by hyzer's own integrator.

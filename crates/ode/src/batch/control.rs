@@ -5,7 +5,7 @@ use crate::method::tableau::Tableau;
 use crate::options::{IntegrationOptions, SolverStats};
 use crate::solver::MIN_RELATIVE_STEP;
 use crate::step_control::{PiGains, PiMemory};
-use crate::time_breaks::{StepEnd, segment_end};
+use crate::time_breaks::{StepEnd, segment_end, steps_at};
 
 /// Maximum number of SIMD lanes of any instruction set.
 pub(crate) const MAX_LANES: usize = 8;
@@ -109,7 +109,10 @@ impl Control {
 
     #[inline(always)]
     pub(crate) fn is_exhausted(&self, lane: usize) -> bool {
-        self.steps[lane] + self.rejected[lane] >= self.max_steps
+        let allowed = self
+            .max_steps
+            .saturating_add(steps_at(&self.breaks[lane]) as u64);
+        self.steps[lane] + self.rejected[lane] >= allowed
     }
 
     pub(crate) fn stats(&self, lane: usize) -> SolverStats {

@@ -286,3 +286,107 @@ fn random_states_of_an_arrow_are_of_flights_along_it() {
     assert!((150..300).contains(&stated), "{stated}");
     assert!(unstated < 80, "{unstated}");
 }
+
+/// Derivatives by the tape and by the oracle, at the default states but for those `set`.
+fn both_rates(text: &str, set: &[(&str, f64)]) -> [Vec<f64>; 2] {
+    let model = load(text);
+    let tape = TapeModel::new(&compile(&model));
+    let mut point = Point::defaults(&model);
+    for (name, value) in set {
+        let states = model.states.iter().position(|state| state.name == *name);
+        point.states[states.expect(name)] = *value;
+    }
+    let prepared = tape.prepare(&point.params);
+    let at = At {
+        t: 0.0,
+        x: &point.states,
+        p: &point.params,
+        prepared: &prepared,
+    };
+    let mut dx = vec![0.0; point.states.len()];
+    tape.f
+        .eval(at, &[], &mut Scratch::default(), &mut [&mut dx]);
+    [dx, derivatives(&model, &point.lift::<f64>()).unwrap()]
+}
+
+fn assert_equal([own, oracle]: &[Vec<f64>; 2]) {
+    for (own, oracle) in own.iter().zip(oracle) {
+        let allowed = 1e-12 * oracle.abs().max(1.0);
+        assert!((own - oracle).abs() <= allowed, "{own} for {oracle}");
+    }
+}
+
+/// Each entry of this system vanishes at some angle, and the system is determined at all of them.
+#[test]
+fn systems_are_solved_where_single_entries_vanish() {
+    let text = "model wheel; frame N; state a = 0 rad; state x = 0 m; der(a) = 1 [rad/s];
+        solve forces {
+          unknown A; unknown B; unknown C; unknown D;
+          cos(a)*(A + 0.2*C) - sin(a)*(B + 0.2*D) = 1;
+          sin(a)*(A + 0.2*C) + cos(a)*(B + 0.2*D) = 2;
+          cos(a)*(C + 0.2*A) - sin(a)*(D + 0.2*B) = 3;
+          sin(a)*(C + 0.2*A) + cos(a)*(D + 0.2*B) = 4;
+        }
+        der(x) = A*1 [m/s];";
+    let quarter = std::f64::consts::FRAC_PI_2;
+    for turns in [-4.0, -1.0, -0.999, 0.0, 0.5, 1.0, 1.000_001, 2.0, 3.0] {
+        let found = both_rates(text, &[("a", turns * quarter)]);
+        assert_equal(&found);
+        if turns == 1.0 {
+            assert!((found[0][1] - 1.25).abs() < 1e-12, "{found:?}");
+        }
+    }
+}
+
+/// Momentum as it is differentiated in a turning frame has entries that vanish for unit quaternions.
+#[test]
+fn entries_that_vanish_for_unit_quaternions_are_no_pivots() {
+    let text = "model spin; param I_a = 0.001 kg*m^2; param I_t = 0.08 kg*m^2; frame N;
+        frame C = N by quaternion (q0, q1, q2, q3);
+        state q0 = 1; state q1 = 0; state q2 = 0; state q3 = 0;
+        state p = 1 rad/s; state q = 2 rad/s; state r = 3 rad/s;
+        state u = 1 m/s; state v = 2 m/s; state w = 3 m/s;
+        der(q0) = (-q1*p - q2*q - q3*r)/2; der(q1) = (q0*p + q2*r - q3*q)/2;
+        der(q2) = (q0*q - q1*r + q3*p)/2; der(q3) = (q0*r + q1*q - q2*p)/2;
+        let V = (u, v, w) in C; let H = (I_a*p, I_t*q, I_t*r) in C;
+        solve { der(V) = (0, 0, 0) in C; der(H) = (0, 0, 0) in C; }";
+    for (q0, q1, q2) in [(1.0, 0.0, 0.0), (0.8, 0.36, 0.48)] {
+        let found = both_rates(text, &[("q0", q0), ("q1", q1), ("q2", q2)]);
+        assert_equal(&found);
+        // Euler's equation: (I_a - I_t) p q/I_t.
+        assert!((found[0][6] + 1.975).abs() < 1e-12, "{found:?}");
+    }
+}
+
+#[test]
+fn a_second_body_with_a_quaternion_turns_beside_a_first_one() {
+    let body = |name: &str, frame: &str, states: [&str; 9], q: &str| {
+        let [x, y, z, u, v, w, p, r, s] = states;
+        format!(
+            "frame {frame} = N by quaternion ({q}0, {q}1, {q}2, {q}3);
+             body {name} {{ mass 1 kg; inertia diag(I, 2*I, 3*I) in {frame}; fixed in {frame};
+               position ({x}, {y}, {z}) in N; velocity ({u}, {v}, {w}) in N; angular velocity ({p}, {r}, {s}) in {frame}; }}\n"
+        )
+    };
+    let text = format!(
+        "model pair; param I = 4e-3 kg*m^2; frame N;\n{}{}force weight = -1 [N]*N.3; force weight on second = -1 [N]*N.3;",
+        body(
+            "first",
+            "A",
+            ["x", "y", "z", "vx", "vy", "vz", "p", "q", "r"],
+            "a"
+        ),
+        body(
+            "second",
+            "B",
+            ["x2", "y2", "z2", "u2", "v2", "w2", "p2", "q2", "r2"],
+            "s"
+        ),
+    );
+    let found = both_rates(&text, &[("p", 2.0), ("p2", 2.0), ("q2", 3.0), ("q", 1.0)]);
+    assert_equal(&found);
+    let model = load(&text);
+    let place = |name: &str| model.states.iter().position(|own| own.name == name);
+    assert!((found[0][place("s1").unwrap()] - 1.0).abs() < 1e-12);
+    assert!((found[0][place("a1").unwrap()] - 1.0).abs() < 1e-12);
+}
