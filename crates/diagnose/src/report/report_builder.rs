@@ -14,7 +14,7 @@ use crate::context::{Candidate, CandidateParameter, ColumnId, ScoreTestModel, di
 use crate::noise::LoadHistory;
 use crate::power::detectable;
 use crate::score_test::{MIN_TOLERANCE, ScoreTest, ln_p_to_z};
-use crate::selection::{Hypothesis, Search, StepwiseModel};
+use crate::selection::{Hypothesis, INFLATED, Search, StepwiseModel};
 use identify::LackOfFit;
 
 /// Builds the report of a search; what concerns the extended model is set later.
@@ -102,9 +102,6 @@ pub(super) fn add_share(explanation: &mut Explanation, residuals: &LackOfFit) {
     explanation.remaining_rms_m =
         residuals.beyond_noise_m * (1.0 - explanation.explained_fraction).sqrt();
 }
-
-/// Ratio to the noise floor of the residuals above which the noise that the search estimates contains misfit.
-const INFLATED: f64 = 2.0;
 
 /// Noise as in the fit of the model under test; that of the positions is estimated by the search, or is the noise floor
 /// of the residuals if the candidates leave much more.

@@ -24,9 +24,6 @@ const NOISE_TOLERANCE: f64 = 0.05;
 /// Maximum number of rejected hypotheses that the search extends by one further effect.
 const MAX_PARENTS: usize = 3;
 
-/// Familywise p-value below which the strongest further candidate is reported, too.
-const ALPHA_UNDECIDED: f64 = 0.05;
-
 /// State of the search for hypotheses, each a combination of candidate effects that the model under test may lack.
 pub(crate) struct Search {
     pub noise: NoiseModel,
@@ -111,6 +108,9 @@ impl Search {
         if search.is_significant() {
             let fitted = search.fit_single_effects(model, base, weights)?;
             search.classify(model, fitted)?;
+            if matches!(weights, Weights::EstimatedFrom(_)) {
+                search.repeat_with_less_noise(model, base)?;
+            }
         }
         Ok(search)
     }
@@ -134,7 +134,7 @@ impl Search {
 
     /// Fits the strongest candidates one by one. Noise that is not known is estimated again with the first; if it
     /// changes, all tests are repeated. None if nothing is significant in these.
-    fn fit_single_effects(
+    pub(super) fn fit_single_effects(
         &mut self,
         model: &mut ScoreTestModel<'_>,
         base: LinearizationPoint<'_>,
@@ -218,7 +218,7 @@ impl Search {
     }
 
     /// Stores the adequate ones of `fitted` as accepted; if none is, all as rejected; by ascending χ².
-    fn classify(
+    pub(super) fn classify(
         &mut self,
         model: &ScoreTestModel<'_>,
         mut fitted: Vec<Hypothesis>,
@@ -235,6 +235,7 @@ impl Search {
             let each = fitted.into_iter().zip(is_adequate);
             let adequate = each.filter(|(_, is_adequate)| *is_adequate);
             self.accepted = adequate.map(|(hypothesis, _)| hypothesis).collect();
+            self.add_common(model)?;
         } else {
             for hypothesis in &fitted {
                 self.note_nearest(model, hypothesis);
@@ -270,29 +271,6 @@ impl Search {
             self.accepted = fewer;
         }
         self.accepted.retain(|h| h.effects.len() <= MAX_EFFECTS);
-        Ok(())
-    }
-
-    /// If one hypothesis is accepted and the strongest further candidate is near significance, accepts the hypothesis
-    /// with it, too: the flights do not decide.
-    pub fn add_undecided(&mut self, model: &ScoreTestModel<'_>) -> Result<(), DiagnosisError> {
-        let [best] = &self.accepted[..] else {
-            return Ok(());
-        };
-        let limit = (ALPHA_UNDECIDED / model.candidates().len() as f64).ln();
-        let remaining = best.strongest_remaining();
-        let Some((candidate, _)) = remaining.filter(|(_, ln_p_value)| *ln_p_value < limit) else {
-            return Ok(());
-        };
-        model.context.check_cancelled()?;
-        if best.effects.len() >= MAX_EFFECTS || model.is_exhausted() {
-            return Ok(());
-        }
-        let mut effects = best.effects.clone();
-        effects.push(candidate);
-        effects.sort_unstable();
-        let with = model.fit_hypothesis(&effects, &best.iterate, &self.noise);
-        self.accepted.extend(with);
         Ok(())
     }
 

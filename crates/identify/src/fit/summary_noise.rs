@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::state::State;
+use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::least_squares::{NormalBlock, ScaledCholesky, pseudo_inverse};
 use crate::noise::NoiseModel;
@@ -14,6 +15,7 @@ use crate::numbers::{probability, significant};
 use crate::observations::Observations;
 use crate::predict::{add_state_priors, each_residual};
 use crate::problem::FitProblem;
+use crate::summary_value::SummaryValue;
 
 /// Maximum number of iterations, and relative change of the standard deviations at their end.
 const ITERATIONS: (usize, f64) = (50, 1e-4);
@@ -26,6 +28,10 @@ const LEAST_NOISE: f64 = 1e-9;
 
 /// p-value below which rows do not agree with their stated standard deviations.
 const LEVEL: f64 = 0.01;
+
+/// Number of standard errors by which an estimate may move if what is assumed of releases is off by its standard deviation
+/// in all of them.
+const MOST_BY_ASSUMPTION: f64 = 1.0;
 
 /// A value of a summary with the derivatives of its residual by the local and the global parameters, m.
 struct Row {
@@ -50,7 +56,14 @@ pub fn estimate(state: &State<'_>, noise: &mut NoiseModel) -> Result<(), FlightE
         let sums = redundancy(&flights, noise, None)?;
         let mut change: f64 = 0.0;
         for &channel in &estimated {
-            let (squares, redundancy) = sums.get(&channel).copied().unwrap_or_default();
+            let Some(Sums {
+                squares,
+                redundancy,
+                ..
+            }) = sums.get(&channel)
+            else {
+                continue;
+            };
             let sigma = (squares / redundancy.max(LEAST_REDUNDANCY)).sqrt();
             let sigma = sigma.max(LEAST_NOISE * problem.sigma0);
             let own = noise.of_mut(channel);
@@ -76,13 +89,20 @@ fn flights<'a>(state: &'a State<'_>) -> Result<Vec<FlightRows<'a>>, FlightError>
     with_rows.collect()
 }
 
-/// Sum of squares and redundancy of each channel. `covariance` is that of the global parameters; `None` if the rows alone
-/// determine them.
+/// Sums over the rows of a channel.
+struct Sums {
+    squares: f64,
+    redundancy: f64,
+    /// Change of the global parameters if all values of the channel change by 1 m.
+    shift: DVector<f64>,
+}
+
+/// Sums of each channel. `covariance` is that of the global parameters; `None` if the rows alone determine them.
 fn redundancy(
     flights: &[FlightRows<'_>],
     noise: &NoiseModel,
     covariance: Option<&DMatrix<f64>>,
-) -> Result<BTreeMap<usize, (f64, f64)>, FlightError> {
+) -> Result<BTreeMap<usize, Sums>, FlightError> {
     let all = flights.iter().flat_map(|(rows, ..)| rows);
     let globals = { all }.map(|row| row.by_global.len()).next().unwrap_or(0);
     let (mut factors, mut reduced) = (Vec::new(), DMatrix::zeros(globals, globals));
@@ -109,9 +129,14 @@ fn redundancy(
             let variance = row.by_local.dot(&factor.solve(&row.by_local))
                 + beyond.dot(&(&covariance * &beyond));
             let weight = noise.of(row.channel).sigma[0].powi(-2);
-            let (squares, redundancy) = sums.entry(row.channel).or_insert((0.0, 0.0));
-            *squares += row.residual * row.residual;
-            *redundancy += 1.0 - (variance * weight).min(1.0);
+            let own = sums.entry(row.channel).or_insert_with(|| Sums {
+                squares: 0.0,
+                redundancy: 0.0,
+                shift: DVector::zeros(globals),
+            });
+            own.squares += row.residual * row.residual;
+            own.redundancy += 1.0 - (variance * weight).min(1.0);
+            own.shift += &covariance * &beyond * weight;
         }
     }
     Ok(sums)
@@ -149,23 +174,59 @@ pub fn doubt(
         )));
     }
     let sums = redundancy(&flights(state)?, noise, Some(covariance))?;
-    let weighted = |(channel, (squares, _)): (&usize, &(f64, f64))| {
-        squares / noise.of(*channel).sigma[0].powi(2)
-    };
+    let weighted =
+        |(channel, own): (&usize, &Sums)| own.squares / noise.of(*channel).sigma[0].powi(2);
     let squares: f64 = sums.iter().map(weighted).sum();
-    let freedom: f64 = sums.values().map(|(_, redundancy)| redundancy).sum();
+    let freedom: f64 = sums.values().map(|own| own.redundancy).sum();
     let Ok(distribution) = ChiSquared::new(freedom.max(1.0)) else {
         return Ok(None);
     };
     let p_value = distribution.sf(squares);
-    Ok((p_value < LEVEL).then(|| {
+    if p_value >= LEVEL {
+        return Ok(doubt_of_assumptions(problem, &sums, covariance));
+    }
+    Ok(Some(format!(
+        "the residuals of the rows are {} times their stated standard deviations (chi-squared test, p = {}): \
+         `hyzer diagnose` searches for the cause",
+        significant((squares / freedom.max(1.0)).sqrt(), 2),
+        probability(p_value)
+    )))
+}
+
+/// Why estimates follow from what is assumed of releases: the rows may all differ from it in the same way.
+fn doubt_of_assumptions(
+    problem: &FitProblem,
+    sums: &BTreeMap<usize, Sums>,
+    covariance: &DMatrix<f64>,
+) -> Option<String> {
+    let worst = sums.iter().flat_map(|(channel, own)| {
+        let channel = &problem.channels[*channel];
+        let sigma = channel
+            .sigma
+            .filter(|_| channel.assumed.is_some())
+            .unwrap_or(0.0);
+        own.shift.iter().enumerate().map(move |(index, shift)| {
+            let error = covariance[(index, index)].max(f64::MIN_POSITIVE).sqrt();
+            (channel, index, (shift * sigma / error).abs())
+        })
+    });
+    let (channel, index, moved) = worst.max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let (ChannelKind::Summary(SummaryValue::Column(quantity)), Some(assumed)) =
+        (channel.kind, channel.assumed)
+    else {
+        return None;
+    };
+    (moved > MOST_BY_ASSUMPTION).then(|| {
+        let (name, unit) = (quantity.name(), quantity.si_unit());
+        let sigma = significant(channel.sigma.unwrap_or(0.0), 3);
         format!(
-            "the residuals of the rows are {} times their stated standard deviations (chi-squared test, p = {}): \
-             `hyzer diagnose` searches for the cause",
-            significant((squares / freedom.max(1.0)).sqrt(), 2),
-            probability(p_value)
+            "no column tells the {name}, which each row is assumed to have as {} ± {sigma} {unit}: if all had {sigma} {unit} \
+             more, {} would be {} standard errors off",
+            significant(assumed, 3),
+            problem.globals[index].name,
+            significant(moved, 2)
         )
-    }))
+    })
 }
 
 fn rows(
