@@ -64,6 +64,9 @@ pub(super) fn run(options: &Sweep) -> anyhow::Result<Answer> {
     match summary {
         Some(summary) => {
             output::print(report::sweep::text(&summary, options.units))?;
+            if let Some(doubt) = &plan.doubt {
+                eprintln!("Warning: {doubt}");
+            }
             let csv = if options.csv { ", flights.csv" } else { "" };
             let page = write_page(&plan, out, &summary, origin.as_ref())?;
             let rate = plan.flights as f64 / start.elapsed().as_secs_f64();

@@ -3,7 +3,8 @@
 use std::cell::Cell;
 
 use hyzer::{
-    Dataset, DatasetBuilder, Effect, Fit, Instrument, Model, Plan, Role, SensorKind, synthesize,
+    Dataset, DatasetBuilder, Diagnosis, Effect, Fit, Instrument, Model, Plan, Role, SensorKind,
+    Verdict, synthesize,
 };
 
 /// Backhands of `model`, with the coefficients `set` at other values.
@@ -115,6 +116,29 @@ fn a_prior_that_the_data_contradict_is_named() {
         "{:?}",
         contradicted.cautions()
     );
+}
+
+/// The prior is right; the model lacks a stall, for want of which its coefficients are biased.
+#[test]
+fn a_prior_that_a_missing_effect_contradicts_leaves_the_cause() {
+    let stalling = disc().with_effect("stall").unwrap();
+    let data = throws(&stalling, &[("C_Ls", 4.0)], 8, 4);
+    let fit = Fit::of(&disc())
+        .prior("C_La", 2.37, 0.02)
+        .run(&data)
+        .unwrap();
+    let is_conflict = |caution: &String| caution.contains("contradict the prior C_La");
+    assert!(
+        fit.cautions().iter().any(is_conflict),
+        "{:?}",
+        fit.cautions()
+    );
+    let found = Diagnosis::of(&disc())
+        .prior("C_La", 2.37, 0.02)
+        .run(&data)
+        .unwrap();
+    assert_eq!(found.verdict(), Verdict::Identified, "{}", found.summary());
+    assert_eq!(found.explanations()[0].effects[0].name, "stall");
 }
 
 /// Three backhands of `disc_quaternion` measured by a gyroscope and a pose sensor at 200 Hz; `rate` and `pose` are

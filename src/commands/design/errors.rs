@@ -15,8 +15,9 @@ pub fn text(file: &Path) -> anyhow::Result<String> {
     bounded_text(file, MAX_BYTES).with_context(|| format!("--fit: {}", file.display()))
 }
 
-/// Reads standard errors and correlations from the text of a `report.json`, named by `name` in messages.
-pub fn read(name: &str, text: &str) -> anyhow::Result<CoefficientErrors> {
+/// Reads standard errors and correlations from the text of a `report.json`, named by `name` in messages, and why they are
+/// not to be relied on.
+pub fn read(name: &str, text: &str) -> anyhow::Result<(CoefficientErrors, Option<String>)> {
     let place = || name.to_owned();
     let report: Value = serde_json::from_str(text).with_context(place)?;
     let Some(coefficients) = report["coefficients"].as_object() else {
@@ -47,8 +48,9 @@ pub fn read(name: &str, text: &str) -> anyhow::Result<CoefficientErrors> {
             }
         }
     }
-    Ok(CoefficientErrors {
+    let found = CoefficientErrors {
         errors,
         correlations,
-    })
+    };
+    Ok((found, analysis::doubt_of_fit(&report)))
 }

@@ -51,6 +51,9 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
             let names = made.left_out.join(", ");
             eprintln!("--fit: the model has no {names}; left out");
         }
+        if let Some(doubt) = &made.doubt {
+            eprintln!("--fit: {doubt}");
+        }
         output::print(made.text(options.units))?;
         if let Some(out) = &out {
             let what = "release.toml, design.json, report.html and flight.html";
@@ -118,9 +121,11 @@ pub fn designed<R>(
     }
     let found = design(&flights, asked.goal, &bounds, &asked.search)?;
     let mut scattered = Scattered::of(&flights, &bounds.scatter);
-    let mut left_out = Vec::new();
+    let (mut left_out, mut doubt) = (Vec::new(), None);
     if let Some((name, text)) = &asked.fit {
-        (scattered, left_out) = scattered.with_coefficients(&flights, &errors::read(name, text)?);
+        let (errors, why) = errors::read(name, text)?;
+        (scattered, left_out) = scattered.with_coefficients(&flights, &errors);
+        doubt = why;
     }
     let aims = aims(&found, &bounds);
     let samples = SampleOptions {
@@ -136,6 +141,7 @@ pub fn designed<R>(
         bounds,
         spread,
         left_out,
+        doubt,
     };
     then(&made, &flights)
 }
@@ -179,6 +185,8 @@ pub struct Designed<'a> {
     pub spread: Spread,
     /// Coefficients of the fit that the model does not have.
     pub left_out: Vec<String>,
+    /// Why the errors of the coefficients are not to be relied on.
+    pub doubt: Option<String>,
 }
 
 /// What the spread of the landings is judged by.

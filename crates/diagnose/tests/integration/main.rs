@@ -2,3 +2,4 @@
 
 mod golf;
 mod own_models;
+mod unmeasured;

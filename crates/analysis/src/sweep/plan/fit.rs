@@ -21,6 +21,8 @@ pub(super) struct Fitted {
     pub correlations: Vec<(String, String, f64)>,
     /// Names and estimates of coefficients that do not vary: at a bound or without a standard error.
     pub fixed: Vec<(String, f64)>,
+    /// Why the estimates are not to be relied on.
+    pub doubt: Option<String>,
 }
 
 /// Reads the table `[fit]`: `report`, the path of a `report.json` relative to the plan, and optionally `coefficients`,
@@ -75,7 +77,10 @@ pub(super) fn read<'t>(
             reader.fault(table.span(), format!("{path} has no coefficient {name:?}"));
         }
     }
-    let mut found = Fitted::default();
+    let mut found = Fitted {
+        doubt: crate::doubt_of_fit(&json).map(|doubt| format!("{path}: {doubt}")),
+        ..Fitted::default()
+    };
     for (name, coefficient) in coefficients {
         let is_asked = only.as_ref().is_none_or(|only| only.contains(&&**name));
         if !is_asked || varied.iter().any(|axis| axis.name == *name) {

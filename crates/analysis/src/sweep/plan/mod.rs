@@ -42,6 +42,8 @@ pub struct Plan {
     pub options: IntegrationOptions,
     /// Factor of the correlation matrix of the normal quantities, in their order in `axes`.
     pub(crate) factor: Factor,
+    /// Why the fit of the plan is not to be relied on.
+    pub doubt: Option<String>,
 }
 
 impl Plan {

@@ -156,6 +156,7 @@ fn plan<'t>(
         seed: seed.unwrap_or(1),
         options: options?,
         factor,
+        doubt: fitted.doubt,
     })
 }
 
