@@ -69,6 +69,9 @@ pub fn release_text(name: &str) -> PyResult<String> {
 fn set(release: &mut Release, model: &Checked, values: Vec<(String, f64)>) -> PyResult<()> {
     let vocabulary = Vocabulary::of(model);
     for (name, value) in values {
+        if let Some(why) = release.overruled(&name) {
+            return Err(input(why));
+        }
         let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);
         if let Some(constant) = constants.clone().find(|constant| constant.name == name) {
             if let Some(expected) = constant.expected_instead_of(value) {

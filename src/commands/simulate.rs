@@ -224,6 +224,9 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
     let expected = || format!("--set: found {set:?}, expected NAME=VALUE");
     let (name, value) = set.split_once('=').with_context(expected)?;
     let (name, value) = (name.trim(), number("--set", value)?);
+    if let Some(why) = release.overruled(name) {
+        bail!("--set: {why}");
+    }
     let vocabulary = Vocabulary::of(model);
     for (names, values) in [
         (&vocabulary.parameters, &mut release.parameters),

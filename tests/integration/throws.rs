@@ -1,4 +1,4 @@
-//! `hyzer simulate` of throws: by options, from `[throw]`, from a launch monitor's table.
+//! `hyzer simulate` of throws: by options, from `[throw]`, from a launch monitor's table; and of values that would have no influence.
 
 use std::path::Path;
 
@@ -275,4 +275,42 @@ fn every_row_of_a_table_is_flown() {
     assert_eq!(results.lines().count(), 6);
     close(&summary(&out.join("row-0003"))["release"]["nose_deg"], 7.0);
     assert!(out.join("row-0005/trajectory.csv").is_file());
+}
+
+#[test]
+fn a_value_of_an_input_with_a_table_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let sled = "model sled;\nparam m = 2 kg;\ninput thrust: N = 0;\nframe N;\n\
+        point sled { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }\n\
+        force push = (thrust, 0, 0) in N;\n";
+    let release = |thrust: &str| {
+        format!(
+            "model = \"sled.hyz\"\nduration = 1.0\n[initial]\nx = 0\ny = 0\nz = 1\nvx = 1\nvy = 0\nvz = 0\n[inputs]\nthrust = {thrust}\n"
+        )
+    };
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text);
+    write("sled.hyz", sled).expect("written");
+    write("number.toml", &release("1.0")).expect("written");
+    write("table.toml", &release("{ t = [0, 1], value = [1, 2] }")).expect("written");
+    let flown = |release: &str| {
+        let mut command = hyzer();
+        command.current_dir(folder.path());
+        command.args([
+            "simulate",
+            "--release",
+            release,
+            "--set",
+            "thrust=2",
+            "--out",
+            "flown",
+        ]);
+        told(&mut command)
+    };
+    let (status, _, errors) = flown("number.toml");
+    assert_eq!(status, 0, "{errors}");
+    let (status, _, errors) = flown("table.toml");
+    assert!(
+        status == 2 && errors.contains("--set: thrust has a table over time in [inputs]"),
+        "{errors}"
+    );
 }

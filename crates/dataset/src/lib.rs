@@ -21,6 +21,7 @@ pub mod pose;
 mod recording;
 mod samples;
 mod sensor;
+mod stated;
 pub mod statistics;
 mod summary;
 mod summary_columns;
@@ -223,7 +224,8 @@ fn assemble<'t>(
     let (recording, sensors) = (&manifest.recording, &manifest.sensors[..]);
     let interpolation = manifest.input_interpolation;
     let tables = parallel::each_on(threads, manifest.flights.len(), |index| {
-        let (path, bytes, is_c3d) = read(&manifest.flights[index].file)?;
+        let entry = &manifest.flights[index];
+        let (path, bytes, is_c3d) = read(&entry.file)?;
         let table = if !is_c3d {
             table::parse(
                 &path,
@@ -240,7 +242,8 @@ fn assemble<'t>(
         };
         let mut table = upright::upright(recording, table, sensors);
         let mut inputs = std::mem::take(&mut table.inputs).series(&path, interpolation)?;
-        if let Some(file) = &manifest.flights[index].inputs {
+        stated::check_inputs(&entry.stated, &entry.file, &inputs)?;
+        if let Some(file) = &entry.inputs {
             let (path, bytes, _) = read(file)?;
             let text = file::text(&path, &bytes)?;
             let own = inputs::parse(&path, text, recording, interpolation)?;
@@ -251,6 +254,7 @@ fn assemble<'t>(
                 let found = format!("the input {name}, which the flight's own table has too");
                 return Err(InputError::of_file(&path, found, "each input once"));
             }
+            stated::check_inputs(&entry.stated, file, &own)?;
             inputs.extend(own);
         }
         Ok((path, table, inputs))

@@ -11,6 +11,7 @@ use toml::de::DeTable;
 
 use super::fields::{Entry, Fields, Value};
 use super::recording::{Recording, choice};
+use super::stated::Stated;
 use super::summary_columns::SummariesEntry;
 use super::unplaced::Unplaced;
 use super::words::{meant, shown};
@@ -56,6 +57,8 @@ pub(super) struct FlightEntry {
     pub role: Role,
     pub known: BTreeMap<String, KnownValue>,
     pub unknown: Vec<String>,
+    /// The quantities that are known or unknown, with their places.
+    pub stated: Vec<Stated>,
     /// Table of the inputs over time.
     pub inputs: Option<String>,
 }
@@ -350,6 +353,7 @@ impl Fields<'_> {
                 role: self.role(entry.1)?,
                 known: self.known(entry.1)?,
                 unknown: self.unknown(entry.1)?,
+                stated: self.stated(entry.1)?,
                 inputs: entry
                     .1
                     .get("inputs")

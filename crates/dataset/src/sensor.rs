@@ -3,7 +3,7 @@
 use model_spec::compose::Instrument;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::summary::{SummaryColumn, SummaryEvent};
+use super::summary::{SummaryColumn, SummaryEvent, SummaryQuantity};
 
 /// Distance, m, from a pose sensor of the virtual markers that represent its pose in computations with markers.
 const REACH: f64 = 0.1;
@@ -42,6 +42,10 @@ pub struct Sensor {
 pub type Reading = [f64; 4];
 
 impl Sensor {
+    /// Input of a ball that is its spin, rad/s.
+    #[doc(hidden)]
+    pub const SPIN: &str = "omega";
+
     /// Creates a sensor of unknown noise at a position on the body, m.
     pub fn new(name: &str, kind: SensorKind, position: [f64; 3]) -> Self {
         Self {
@@ -58,6 +62,13 @@ impl Sensor {
     #[doc(hidden)]
     pub fn is_outcome(&self) -> bool {
         matches!(self.kind, SensorKind::Summary(own) if own.quantity.event() != SummaryEvent::Release)
+    }
+
+    /// Whether the sensor is a column of a table of summaries that tells the spin at the release.
+    #[doc(hidden)]
+    pub fn is_spin(&self) -> bool {
+        let of_spin = [SummaryQuantity::Spin, SummaryQuantity::SpinAxis];
+        matches!(self.kind, SensorKind::Summary(own) if of_spin.contains(&own.quantity))
     }
 }
 

@@ -6,6 +6,7 @@ use toml::de::DeTable;
 
 use crate::fields::{Fields, Value};
 use crate::input_error::InputError;
+use crate::stated;
 use crate::summary::{SummaryColumn, SummaryQuantity, SummaryUnit};
 use crate::words::{listed, meant, shown};
 use crate::{KnownValue, Sensor, SensorKind};
@@ -45,9 +46,18 @@ impl Fields<'_> {
             }
             let expected = "the columns, as in { \"Carry\" = { is = \"carry\", unit = \"yd\" } }";
             let value = self.needed(entry, "columns", expected)?;
+            let columns = self.columns(value)?;
+            let stated = self.stated(entry.1)?;
+            let spin = columns.iter().filter(|own| own.is_spin());
+            let spin: Vec<&str> = spin.map(|own| own.name.as_str()).collect();
+            if !spin.is_empty() {
+                let also = format!("as the spin by the columns {}", listed(spin));
+                let known = stated.iter().filter(|own| own.is_known);
+                stated::check(known, Sensor::SPIN, &also, stated::ONCE)?;
+            }
             found.push(SummariesEntry {
                 file,
-                columns: self.columns(value)?,
+                columns,
                 held_out: self.held_out(entry.1)?,
                 known: self.known(entry.1)?,
                 unknown: self.unknown(entry.1)?,

@@ -70,6 +70,17 @@ impl Release {
         self.initial.iter().map(|(_, value)| *value).collect()
     }
 
+    /// Why a value of `name` would have no influence on the flight: it has a table over time. `None` if it has none.
+    #[doc(hidden)]
+    pub fn overruled(&self, name: &str) -> Option<String> {
+        let has_table = self.inputs.iter().any(|(own, _)| own == name);
+        has_table.then(|| {
+            format!(
+                "{name} has a table over time in [inputs], which a value does not change; expected a number there, or other values in the table"
+            )
+        })
+    }
+
     /// Replaces the initial value (SI) of a state; a name that is not a state is ignored.
     pub fn with_initial(mut self, state: &str, value: f64) -> Release {
         let states = self.initial.iter_mut();

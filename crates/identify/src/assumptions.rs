@@ -1,11 +1,11 @@
 //! What the release of a flight that is a summary has by assumption.
 
-use dataset::{Flight, SummaryQuantity as Q};
+use dataset::{Flight, Sensor, SummaryQuantity as Q};
 use model_spec::layout::StateId;
 
 use crate::channel::ChannelKind;
 use crate::problem::{FitProblem, KnownValues, StatePrior, wide_deviation};
-use crate::summary::{SPIN, event};
+use crate::summary::event;
 use crate::summary_value::SummaryValue;
 
 impl FitProblem {
@@ -56,7 +56,7 @@ impl FitProblem {
                 is_measured: false,
             });
         }
-        let spin_is_known = flight.known.contains_key(SPIN);
+        let spin_is_known = flight.known.contains_key(Sensor::SPIN);
         if let Some(spin) = summary.spin_states().filter(|_| !spin_is_known) {
             known.states.retain(|(own, _)| !spin.contains(&own.index()));
             known

@@ -1,11 +1,14 @@
 //! Inputs over time of a flight: those of the model, which must cover the flight.
 
-use dataset::Flight;
+use std::collections::BTreeSet;
+
 use dataset::statistics::median_of;
+use dataset::{Dataset, Flight};
 use flight::{InputSeries, InputsOverTime};
 
 use crate::error::FlightError;
 use crate::problem::FitProblem;
+use crate::wording::names;
 
 /// Share of the median interval between the samples of an input by which a flight may outlast it: the clocks of two
 /// devices round differently.
@@ -35,8 +38,7 @@ pub fn of_flight(
     let layout = problem.body.layout();
     let mut notes = Vec::new();
     for (name, series) in &flight.inputs {
-        let id = layout.parameter(name);
-        if !id.is_some_and(|id| layout.varying.contains(&id)) {
+        let Some(id) = InputsOverTime::parameter(layout, name) else {
             let varying = layout.varying.iter();
             return Err(FlightError::UnknownInput {
                 name: name.clone(),
@@ -45,8 +47,8 @@ pub fn of_flight(
                     .map(|id| layout.parameters[id.index()].clone())
                     .collect(),
             });
-        }
-        let declared = problem.model.params.iter().find(|own| own.name == *name);
+        };
+        let declared = problem.model.params.get(id.index());
         if let Some(bounds) = declared.and_then(|own| own.bounds)
             && let Some((time, value)) = outside(series, bounds)
         {
@@ -79,6 +81,43 @@ pub fn of_flight(
     let inputs = flight.inputs.iter();
     let inputs = inputs.map(|(name, series)| (name.as_str(), series.since(span.0)));
     Ok((InputsOverTime::of(layout, inputs), notes))
+}
+
+/// Inputs that some flight of the dataset has over time.
+pub fn recorded(dataset: &Dataset) -> BTreeSet<String> {
+    let all = dataset.flights.iter().flat_map(|flight| &flight.inputs);
+    all.map(|(name, _)| name.clone()).collect()
+}
+
+/// What is taken for inputs in flights that do not state them, where others have them over time, in words.
+pub fn notes(problem: &FitProblem, dataset: &Dataset) -> Vec<String> {
+    let (model, layout) = (&problem.model, problem.body.layout());
+    let unknown = model.unknown_states();
+    let value = |name: &String| {
+        let state = unknown.iter().find(|(own, _)| own == name);
+        let id = InputsOverTime::parameter(layout, name)?;
+        Some(state.map_or(problem.parameters[id.index()], |(_, of)| {
+            model.states[*of].value
+        }))
+    };
+    let recorded = recorded(dataset);
+    let each = recorded.iter().filter_map(|name| {
+        let value = value(name).filter(|_| !dataset.unknown.contains(name))?;
+        let is_open = |flight: &&Flight| {
+            flight.inputs.iter().all(|(own, _)| own != name)
+                && !flight.known.contains_key(name)
+                && !flight.unknown.contains(name)
+        };
+        let open = dataset.flights.iter().filter(is_open);
+        let open: Vec<&str> = open.map(|flight| flight.file.as_str()).collect();
+        (!open.is_empty()).then(|| {
+            format!(
+                "the input {name} has no table in {}, as it has in other flights: it is taken as {value}, its default; give the table, or state it under known",
+                names(&open)
+            )
+        })
+    });
+    each.collect()
 }
 
 /// First sample (time in s, value) of an input that is not within `bounds`, but for the rounding of units.

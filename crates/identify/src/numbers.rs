@@ -1,5 +1,8 @@
 //! Formatting of numbers: digits by the standard error, minus sign U+2212, and a dash for values that are not finite.
 
+use model_spec::model::{Expr, ExprKind};
+use model_spec::unit::Unit;
+
 /// Formats a number with the given number of decimals; `–` if it is not finite.
 pub fn plain(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
@@ -116,6 +119,13 @@ pub fn percent(share: f64) -> String {
     }
     let decimals = usize::from(share.abs() < 0.0995);
     format!("{}\u{a0}%", plain(100.0 * share, decimals))
+}
+
+/// Whether an expression is an angle, which is shown in degrees; a product with the unit rad may be a dimensionless ratio,
+/// such as the spin ratio.
+pub fn is_angle(expr: &Expr) -> bool {
+    let is_function = matches!(expr.kind, ExprKind::Atan2(..) | ExprKind::Call(..));
+    is_function && expr.unit == Unit::RADIAN
 }
 
 /// Typesets a unit, such as `m²` for `m^2`; empty for dimensionless quantities.

@@ -1,6 +1,7 @@
 //! The estimation problem: a model and a dataset, with known and estimated parameters.
 
 mod global_parameters;
+mod tolerances;
 
 use std::sync::Arc;
 
@@ -13,13 +14,14 @@ use nalgebra::DVector;
 use crate::channel::{self, Channel, ChannelKind};
 use crate::error::{FitError, FlightError, NameSource};
 use crate::fixed_axis::{add_point, fixed_axis};
-use crate::levels::{FAR_ABOVE, ROUGHLY_NOISE};
+use crate::levels::FAR_ABOVE;
 use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
 use crate::summary::{self, SummaryModel};
 use dataset::pose;
 use dataset::{AXES, Dataset, Flight, KnownValue, SensorKind, points_on_body};
 pub use global_parameters::GlobalParameter;
+pub use tolerances::{FINE_TOLERANCE, RESIDUAL_TOLERANCE, robust_tolerance, whitened_tolerance};
 
 /// Standard deviation of the noise of one measured coordinate, m, assumed initially if the samples do not determine it.
 const DEFAULT_SIGMA0: f64 = 1e-3;
@@ -332,7 +334,7 @@ impl FitProblem {
     }
 
     /// Of the states that stand for quantities unknown in some flight, those that this one does not know get a wide
-    /// prior, the others keep the model's value.
+    /// prior, the others keep the model's value, or 0 beside an input over time.
     fn free_unknowns(&self, flight: &Flight, unknown: &[String], found: &mut KnownValues) {
         let states = &self.model.states;
         for (name, of) in self.model.unknown_states() {
@@ -343,7 +345,9 @@ impl FitProblem {
                 continue;
             }
             let mean = states[of].value;
-            if unknown.contains(&name) || flight.unknown.contains(&name) {
+            if flight.inputs.iter().any(|(own, _)| *own == name) {
+                found.states.push((id, 0.0));
+            } else if unknown.contains(&name) || flight.unknown.contains(&name) {
                 let wide = wide_deviation(&states[of].unit_text);
                 found.priors.push(StatePrior {
                     state: id,
@@ -360,6 +364,14 @@ impl FitProblem {
     /// Parameters or states that `name` speaks of: one, or the three components of a vector.
     fn places(&self, name: &str, count: usize) -> Option<Vec<Place>> {
         let layout = self.body.layout();
+        let unknown = self.model.unknown_states().into_iter();
+        let unknown = unknown.filter(|(own, _)| own == name);
+        let states: Vec<Place> = unknown
+            .map(|(_, of)| Place::State(StateId::new(of)))
+            .collect();
+        if states.len() == count {
+            return Some(states);
+        }
         let place = |name: &str| match (layout.parameter(name), layout.state(name)) {
             (Some(id), _) => Some(Place::Parameter(id)),
             (None, Some(id)) => Some(Place::State(id)),
@@ -466,35 +478,4 @@ fn known_constants(
         parameters[id.index()] = value;
     }
     Ok(parameters)
-}
-
-// Tolerances of the integration, derived from the noise of a measured coordinate.
-
-/// Tolerance for whitened residuals of any number of flights: the error of a disc after one second is far below 1/1000
-/// of the noise, of a fast-spinning body with a quaternion below 1/50.
-pub const FINE_TOLERANCE: f64 = 0.007;
-
-/// Tolerance for a model without quaternion, and the number of flights up to which it applies; beyond, it decreases as
-/// standard errors do. It shifts the estimates of a disc by at most about 1/40 standard error.
-const FEW: (f64, usize) = (0.032, 80);
-
-/// Tolerance for residuals without derivatives.
-pub const RESIDUAL_TOLERANCE: f64 = 0.02;
-
-/// Tolerance for robust losses, in units of their scale if it is above the noise.
-const ROBUST_TOLERANCE: f64 = 0.08;
-
-/// Tolerance for whitened residuals of the given number of flights.
-pub fn whitened_tolerance(model: &Model, flights: usize) -> f64 {
-    if model.quaternions().next().is_some() {
-        return FINE_TOLERANCE;
-    }
-    let part = FEW.1 as f64 / flights.max(FEW.1) as f64;
-    (FEW.0 * part.sqrt()).max(FINE_TOLERANCE)
-}
-
-/// Tolerance, m, under a robust loss of scale `scale`, m.
-pub fn robust_tolerance(scale: f64, sigma0: f64) -> f64 {
-    let is_large = scale > ROUGHLY_NOISE * sigma0;
-    ROBUST_TOLERANCE * if is_large { scale } else { sigma0 }
 }

@@ -1,7 +1,7 @@
 //! Unknown positions, origin and vertical of a dataset, added to the model as effects with estimated coefficients.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use model_spec::LoadError;
 use model_spec::compose::{EffectTree, Instrument, ModelTree};
@@ -9,13 +9,13 @@ use model_spec::model::Model;
 
 use crate::error::FitError;
 use crate::fit::{self, Fit};
+use crate::inputs;
 use crate::levels::AT_NOISE;
 use crate::options::{FitOptions, Prior};
 use crate::problem::measured;
-use crate::summary::SPIN;
 use crate::vertical;
 use crate::vertical::{ANGLES, EFFECT, angles};
-use dataset::{Dataset, KnownValue, Role, Sensor, SensorKind, SummaryQuantity};
+use dataset::{Dataset, KnownValue, Role, Sensor, SensorKind};
 
 /// Effect that displaces all markers together on the body: its name and the names of its coefficients, m.
 const OFFSET: (&str, [&str; 3]) = ("marker_offset", ["offset_1", "offset_2", "offset_3"]);
@@ -75,6 +75,27 @@ impl Resolved<'_> {
         Ok(())
     }
 
+    /// Puts states in the place of the quantities `names`. What the dataset sets of them becomes their default. The error
+    /// is the reason, as text for the message.
+    fn unknown(&mut self, names: &BTreeSet<String>) -> Result<(), String> {
+        let constants = self.model.params.iter().map(|own| &own.name);
+        let set = constants.filter(|name| names.contains(*name));
+        let set = set.filter_map(|name| self.dataset.parameters.get_key_value(name));
+        let set: BTreeMap<String, f64> = set.map(|(name, value)| (name.clone(), *value)).collect();
+        if !set.is_empty() {
+            let values = set.iter().map(|(name, value)| (name.as_str(), *value));
+            let tree = ModelTree::of(&self.model).with_values(values);
+            let checked = tree.map_err(|error| error.to_string())?.check();
+            self.model = checked.map_err(|error| error.to_string())?;
+            let parameters = &mut self.dataset.to_mut().parameters;
+            parameters.retain(|name, _| !set.contains_key(name));
+        }
+        let recorded = inputs::recorded(&self.dataset);
+        let model = self.model.with_unknown_or_recorded(names, &recorded);
+        self.model = model.map_err(|error| error.to_string())?;
+        Ok(())
+    }
+
     fn has(&self, effect: &str) -> bool {
         self.model.effects.iter().any(|own| own.name == effect)
     }
@@ -113,14 +134,10 @@ pub fn resolve<'d>(
     };
     let unknown = quantities(model, dataset);
     if !unknown.is_empty() {
-        resolved.model =
-            resolved
-                .model
-                .with_unknown(&unknown)
-                .map_err(|error| FitError::Unknown {
-                    model: model.name.clone(),
-                    reason: error.to_string(),
-                })?;
+        resolved.unknown(&unknown).map_err(|reason| {
+            let model = model.name.clone();
+            FitError::Unknown { model, reason }
+        })?;
     }
     if let Some(errors) = dataset.origin_error {
         resolved.free(&OFFSET, errors)?;
@@ -155,15 +172,9 @@ fn quantities(model: &Model, dataset: &Dataset) -> BTreeSet<String> {
         flight.unknown.iter().cloned().chain(measured)
     });
     // Each row of a summary states the spin of its ball.
-    let is_spin = |sensor: &Sensor| match sensor.kind {
-        SensorKind::Summary(own) => {
-            [SummaryQuantity::Spin, SummaryQuantity::SpinAxis].contains(&own.quantity)
-        }
-        _ => false,
-    };
-    let has_spin = model.inputs.iter().any(|input| input.name == SPIN);
-    let spin = dataset.sensors.iter().any(is_spin) && has_spin;
-    let spin = spin.then(|| SPIN.to_owned());
+    let has_spin = model.inputs.iter().any(|input| input.name == Sensor::SPIN);
+    let spin = dataset.sensors.iter().any(Sensor::is_spin) && has_spin;
+    let spin = spin.then(|| Sensor::SPIN.to_owned());
     dataset
         .unknown
         .iter()

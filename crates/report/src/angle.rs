@@ -1,15 +1,10 @@
 //! Decides which quantities are shown in degrees.
 
-use model_spec::model::{Expr, ExprKind, State};
+pub(crate) use identify::numbers::is_angle;
+use model_spec::model::State;
 
 /// Unit, as text, by which a quantity is recognised as an angle.
 const RADIAN: &str = "rad";
-
-/// Whether an expression is an angle; a product with the unit rad may be a dimensionless ratio, such as the spin ratio.
-pub(crate) fn is_angle(expr: &Expr) -> bool {
-    let is_function = matches!(expr.kind, ExprKind::Atan2(..) | ExprKind::Call(..));
-    is_function && expr.unit.to_string() == RADIAN
-}
 
 /// Whether a state has unit rad, so that it is shown in degrees.
 pub(crate) fn is_angle_state(state: &State) -> bool {

@@ -2,7 +2,7 @@
 
 use super::EffectTree;
 use super::rates::per_second;
-use crate::syntax::ast::{File, ItemKind, Parameter, ParameterClass};
+use crate::syntax::ast::{File, Item, ItemKind, Parameter, ParameterClass};
 use crate::syntax::of_kind;
 
 /// Maximum number of inputs per model for which effects are created.
@@ -10,8 +10,12 @@ const MAX_INPUTS: usize = 24;
 
 /// Creates four effects for each scalar input: it acts with an offset, as a multiple, later, or through a lag.
 pub(super) fn input_effects(file: &File) -> Vec<EffectTree> {
-    // Inputs that effects added, such as the rate of an input, are no recordings.
-    let own = file.items.iter().filter(|item| item.effect.is_none());
+    // Inputs that effects added, such as the rate of an input, are no recordings; and what stands beside the unknowns of
+    // flights is in no text of the model.
+    let aside = &file.set_aside;
+    let is_beside = |item: &Item| !aside.unknown.is_empty() && item.span.source == aside.source;
+    let own = file.items.iter();
+    let own = own.filter(|item| item.effect.is_none() && !is_beside(item));
     let inputs =
         of_kind!(own, ItemKind::Parameter).filter(|own| own.class == ParameterClass::Input);
     let inputs: Vec<&Parameter> = inputs.take(MAX_INPUTS).collect();

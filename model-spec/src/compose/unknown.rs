@@ -38,6 +38,18 @@ impl Model {
     /// (`omega_x`, `omega_y`, `omega_z` for a vector `omega`), start at their default values and do not change. Names
     /// that states already stand for are skipped. [`ModelTree::to_text`] writes the model as it was.
     pub fn with_unknown(&self, names: &BTreeSet<String>) -> Result<Model, UnknownError> {
+        self.with_unknown_or_recorded(names, &BTreeSet::new())
+    }
+
+    /// [`with_unknown`](Self::with_unknown), where some flights have the scalar inputs `recorded` over time. Of such an
+    /// input the state is `NAME_constant`, and the model acts by the sum of it and a scalar input `NAME_recorded`, which
+    /// is 0 by default.
+    #[doc(hidden)]
+    pub fn with_unknown_or_recorded(
+        &self,
+        names: &BTreeSet<String>,
+        recorded: &BTreeSet<String>,
+    ) -> Result<Model, UnknownError> {
         let known = self.tree.set_aside.unknown.iter().map(|own| &own.0);
         let all: BTreeSet<&String> = known.clone().chain(names).collect();
         if all.len() == known.count() {
@@ -53,7 +65,11 @@ impl Model {
         };
         let (mut text, mut unknown) = (String::new(), Vec::new());
         for name in &all {
-            let states = given.states_for(name, &mut text)?;
+            let mut stood_for = self.tree.set_aside.unknown.iter();
+            let constant = format!("{name}_constant");
+            let is_recorded = recorded.contains(*name)
+                || stood_for.any(|(own, states)| own == *name && *states == [&*constant]);
+            let states = given.states_for((name, is_recorded), &mut text)?;
             unknown.push(((*name).clone(), states));
         }
         let file = Arc::make_mut(&mut tree.file);
@@ -78,7 +94,11 @@ impl Model {
     }
 
     /// Writes the statements that take the place of `name` to `text`, and returns the names of the states.
-    fn states_for(&self, name: &str, text: &mut String) -> Result<Vec<String>, UnknownError> {
+    fn states_for(
+        &self,
+        (name, is_recorded): (&str, bool),
+        text: &mut String,
+    ) -> Result<Vec<String>, UnknownError> {
         let mut state = |name: &str, value: f64, unit: &str| {
             let unit = if unit == "1" { "[1]" } else { unit };
             let _ = writeln!(text, "state {name} = {value:?} {unit};\nder({name}) = 0;");
@@ -86,6 +106,19 @@ impl Model {
         };
         let mut scalars = self.params.iter().chain(&self.coefficients);
         if let Some(own) = scalars.find(|own| own.name == name) {
+            if own.varies && is_recorded {
+                let constant = state(&format!("{name}_constant"), own.value, &own.unit_text);
+                let bounds = own.bounds.filter(|(low, high)| *low <= 0.0 && *high >= 0.0);
+                let bounds = bounds.map_or_else(String::new, |(low, high)| {
+                    format!(" in {low:?} .. {high:?}")
+                });
+                let _ = writeln!(
+                    text,
+                    "input {name}_recorded: [{}] = 0{bounds};\nlet {name} = {constant} + {name}_recorded;",
+                    own.unit_text
+                );
+                return Ok(vec![constant]);
+            }
             return Ok(vec![state(name, own.value, &own.unit_text)]);
         }
         let Some(own) = self.inputs.iter().find(|own| own.name == name) else {
@@ -174,6 +207,43 @@ mod tests {
                 ModelTree::of(&ball).to_text("")
             );
         }
+    }
+
+    #[test]
+    fn an_input_that_some_flights_record_is_the_sum_of_a_state_and_the_record() {
+        let text = "model sled;\nparam m = 2 kg;\ninput thrust: N = 3 in -1 .. 9;\nframe N;\n\
+            point sled { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }\n\
+            force push = (thrust, 0, 0) in N;\n";
+        let sled = crate::load::from_text("sled.hyz", text, &[]).expect("a sled");
+        let thrust = names(&["thrust"]);
+        let mixed = sled.with_unknown_or_recorded(&thrust, &thrust);
+        let mixed = mixed.expect("an input");
+        let again = mixed.with_unknown(&names(&["thrust", "m"]));
+        assert!(again.is_err(), "a mass");
+        assert_eq!(
+            mixed.unknown_states(),
+            [("thrust".to_owned(), mixed.states.len() - 1)]
+        );
+        let state = mixed.states.last().expect("a state");
+        assert_eq!((&*state.name, state.value), ("thrust_constant", 3.0));
+        let recorded = mixed.params.iter().find(|own| own.varies);
+        let recorded = recorded.expect("an input");
+        assert_eq!(
+            (&*recorded.name, recorded.value, recorded.bounds),
+            ("thrust_recorded", 0.0, Some((-1.0, 9.0)))
+        );
+        let made = |model: &Model| {
+            let all = crate::compose::known_effects(model);
+            let own = all
+                .iter()
+                .filter(|own| own.effect.name().contains("_of_thrust"));
+            own.count()
+        };
+        assert_eq!((made(&sled), made(&mixed)), (4, 0));
+        assert_eq!(
+            ModelTree::of(&mixed).to_text(""),
+            ModelTree::of(&sled).to_text("")
+        );
     }
 
     #[test]

@@ -60,9 +60,9 @@ pub(super) fn used(
         let stated = unit.as_deref().map(SummaryUnit::parse);
         let unit = match stated {
             Some(unit) => unit,
-            None => unit_of(units, place)
-                .or(read_header(header).1)
-                .or_else(|| unit_in_cells(rows, place)),
+            None => {
+                stated_unit(file, (headers, units), place)?.or_else(|| unit_in_cells(rows, place))
+            }
         };
         used.push(Used::new(file, (place, header), quantity, unit)?);
     }
@@ -78,10 +78,14 @@ pub(super) fn used(
         if used.iter().any(is_taken) {
             continue;
         }
+        stated_unit(file, (headers, units), place)?;
         let unit = unit.or_else(|| usual_unit(quantity));
         used.push(Used::new(file, (place, header), quantity, unit)?);
     }
     used.extend(of_parts(headers, units, &used));
+    for part in used.iter().flat_map(Used::parts) {
+        stated_unit(file, (headers, units), part.place)?;
+    }
     let is_outcome = |own: &Used| own.column.quantity.event() != SummaryEvent::Release;
     if !used.iter().any(is_outcome) {
         let found = format!(
@@ -93,6 +97,27 @@ pub(super) fn used(
     }
     used.sort_by_key(|own| own.column.quantity);
     Ok(used)
+}
+
+/// Unit that the row of units or the header states for a column.
+///
+/// # Errors
+/// [`InputError`] if they state different ones.
+fn stated_unit(
+    file: &Path,
+    (headers, units): (&[String], &[String]),
+    place: usize,
+) -> Result<Option<SummaryUnit>, InputError> {
+    let (by_row, by_header) = (unit_of(units, place), read_header(&headers[place]).1);
+    match (by_row, by_header) {
+        (Some(own), Some(other)) if own != other => {
+            let name = &headers[place];
+            let found = format!("[{}] in the row of units below {}", own.name(), shown(name));
+            let expected = format!("one unit: correct the table, or --column \"{name}=IS,UNIT\"");
+            Err(InputError::of_file(file, found, expected))
+        }
+        _ => Ok(by_row.or(by_header)),
+    }
 }
 
 /// Unit of a column by the row of units.
@@ -191,19 +216,23 @@ impl Used {
     pub fn reads(&self, place: usize) -> bool {
         match &self.source {
             Source::Cell(own) => *own == place,
-            Source::TotalSpin(parts) | Source::SpinAxis(parts) => {
-                parts.iter().any(|part| part.place == place)
-            }
+            _ => self.parts().iter().any(|part| part.place == place),
+        }
+    }
+
+    /// The columns from which this one is made; none for a column of the export.
+    fn parts(&self) -> &[Part] {
+        match &self.source {
+            Source::Cell(_) => &[],
+            Source::TotalSpin(parts) | Source::SpinAxis(parts) => parts,
         }
     }
 
     /// Text on the columns from which this one is made; empty for a column of the export.
     pub fn origin(&self) -> String {
-        match &self.source {
-            Source::Cell(_) => String::new(),
-            Source::TotalSpin([back, side]) | Source::SpinAxis([back, side]) => {
-                format!(", from {} and {}", shown(&back.header), shown(&side.header))
-            }
+        match self.parts() {
+            [back, side] => format!(", from {} and {}", shown(&back.header), shown(&side.header)),
+            _ => String::new(),
         }
     }
 

@@ -4,6 +4,7 @@ mod cells;
 mod columns;
 mod headers;
 mod notes;
+mod statistics;
 mod unread;
 
 use std::collections::BTreeMap;
@@ -13,6 +14,7 @@ use std::path::Path;
 use cells::Numerals;
 use columns::{Used, is_units, used};
 use notes::notes;
+use statistics::take_statistics;
 use unread::unread;
 
 use crate::input_error::InputError;
@@ -97,6 +99,7 @@ pub fn import_shots(
     while rows.first().is_some_and(|(_, cells)| is_units(cells)) {
         units = rows.remove(0).1;
     }
+    let statistics = take_statistics(&mut rows);
     let used = used(file, (&headers, &units, &rows), options)?;
     let cells = rows.iter().flat_map(|(_, cells)| cells.iter().enumerate());
     let is_read = |place: usize| used.iter().any(|own| own.reads(place));
@@ -106,6 +109,7 @@ pub fn import_shots(
     if numerals.decimal == ',' {
         decisions.push("the decimal mark of the numbers is a comma".to_owned());
     }
+    decisions.extend(statistics);
     decisions.extend(unread(&headers, &units, &rows, &used, numerals));
     let mut table = header_line(used.iter().map(|own| own.header.as_str()));
     let (mut line, mut shots, mut first_reason) = (1, 0, None);

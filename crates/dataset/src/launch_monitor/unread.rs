@@ -3,7 +3,7 @@
 use super::Row;
 use super::cells::Numerals;
 use super::columns::{Used, unit_of};
-use super::headers::read_header;
+use super::headers::{quantity, read_header};
 use crate::summary::{SummaryQuantity as Q, SummaryUnit};
 use crate::words::shown;
 
@@ -30,11 +30,16 @@ pub(super) fn unread(
             continue;
         }
         let unit = unit_of(units, place).or(by_header);
-        lines.push(format!(
-            "{}: not read; {}",
-            shown(header),
-            option(header, unit, used)
-        ));
+        let same = quantity(&key, unit);
+        let same = same.and_then(|own| used.iter().find(|used| used.column.quantity == own));
+        let (header, option) = (shown(header), option(header, unit, used));
+        lines.push(match same {
+            Some(other) => {
+                let (is, other) = (other.column.quantity.name(), shown(&other.header));
+                format!("{header}: not read, as {other} is the {is}")
+            }
+            None => format!("{header}: not read; {option}"),
+        });
     }
     let has = |quantity: Q| used.iter().any(|own| own.column.quantity == quantity);
     let missing = match (has(Q::Speed), has(Q::Spin)) {

@@ -8,6 +8,7 @@ mod made_noise;
 mod recording;
 mod sensors;
 mod shots;
+mod stated;
 mod summaries;
 mod support;
 mod synthesize;

@@ -177,3 +177,82 @@ fn the_type_of_the_ball_is_no_speed() {
         &[3.0 * std::f64::consts::PI / 180.0],
     );
 }
+
+#[test]
+fn statistics_of_the_shots_are_left_out_and_named() {
+    let head = "Club,Ball Speed,Carry\n[],[mph],[yd]\n";
+    let text = format!(
+        "{head}Driver,150,230\nDriver,152,234\nAverage,151,232\nStd. Dev.,1,2\n\
+         7 Iron,110,160\n7 Iron,112,164\nAVG (2),111,162\nMax.,112,164\n"
+    );
+    let made = import(&text).expect("shots");
+    are_near(
+        &made,
+        SummaryQuantity::Speed,
+        &[150.0 * MPH, 152.0 * MPH, 110.0 * MPH, 112.0 * MPH],
+    );
+    for line in [
+        "line 5 left out: \"Average\", no shot",
+        "line 6 left out: \"Std. Dev.\", no shot",
+        "line 9 left out: \"AVG (2)\", no shot",
+        "line 10 left out: \"Max.\", no shot",
+    ] {
+        assert!(
+            made.decisions.iter().any(|own| own == line),
+            "{:?}",
+            made.decisions
+        );
+    }
+    // The label may stand in any column that is not read, and a player may have the name of a statistic.
+    let second =
+        "No.,Player,Ball Speed,Carry\n,,[mph],[yd]\n1,Max,150,230\n2,Max,152,234\n,Mean,151,232\n";
+    let made = import(second).expect("shots");
+    are_near(&made, SummaryQuantity::Speed, &[150.0 * MPH, 152.0 * MPH]);
+}
+
+#[test]
+fn units_of_the_header_and_of_the_row_of_units_agree() {
+    let told = |text: &str| import(text).expect_err(text).to_string();
+    let row = "Ball Speed (mph),Carry (yds)\n[mph],[yd]\n150,230\n";
+    are_near(
+        &import(row).expect("they agree"),
+        SummaryQuantity::Speed,
+        &[150.0 * MPH],
+    );
+    let error = told(&row.replace("[mph]", "[km/h]"));
+    assert!(
+        error.contains(
+            "found [km/h] in the row of units below \"Ball Speed (mph)\", expected one unit"
+        ) && error.contains("--column \"Ball Speed (mph)=IS,UNIT\""),
+        "{error}"
+    );
+    let spins = "Backspin (rpm),Sidespin (rpm),Carry (yds)\n[rpm],[deg/s],[yd]\n4000,300,230\n";
+    assert!(
+        told(spins).contains("[deg/s] in the row of units below \"Sidespin (rpm)\""),
+        "{}",
+        told(spins)
+    );
+    let options = ShotOptions {
+        columns: vec![(
+            "Ball Speed (mph)".into(),
+            "speed".into(),
+            Some("km/h".into()),
+        )],
+        ..ShotOptions::default()
+    };
+    let text = row.replace("[mph]", "[km/h]");
+    let made = import_shots(Path::new("shots.csv"), text.as_bytes(), &options);
+    are_near(
+        &made.expect("the unit is stated"),
+        SummaryQuantity::Speed,
+        &[150.0 / 3.6],
+    );
+}
+
+#[test]
+fn a_second_column_of_a_quantity_is_said_to_be_one() {
+    let text = "Ball Speed (mph),Ball Speed (km/h),Carry (yd)\n150,241,230\n";
+    let lines = import(text).expect(text).decisions;
+    let line = "\"Ball Speed (km/h)\": not read, as \"Ball Speed (mph)\" is the speed";
+    assert!(lines.iter().any(|own| own == line), "{lines:?}");
+}

@@ -11,8 +11,8 @@ use model_spec::layout::{Layout, ParamId};
 use lag::Lagged;
 pub use table::read_inputs;
 
-/// Time by which a flight may outlast its inputs, s: rounding of the times of samples.
-const END_TOLERANCE: f64 = 1e-9;
+/// Time by which a flight may outlast its inputs, or begin before them, s: rounding of the times of samples.
+pub(crate) const END_TOLERANCE: f64 = 1e-9;
 
 /// Interpolation of an input between its samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -225,6 +225,18 @@ pub struct InputsOverTime {
 }
 
 impl InputsOverTime {
+    /// Parameter of the layout that varies with the input `name`: `NAME_recorded` where a state stands for its value in
+    /// other flights.
+    #[doc(hidden)]
+    pub fn parameter(layout: &Layout, name: &str) -> Option<ParamId> {
+        let recorded = format!("{name}_recorded");
+        let mut ids = [name, &recorded].into_iter();
+        ids.find_map(|name| {
+            let id = layout.parameter(name)?;
+            layout.varying.contains(&id).then_some(id)
+        })
+    }
+
     /// The inputs of the layout by name. A `NAME_rate` that is not given is the time derivative of `NAME`.
     pub fn of<'a>(
         layout: &Layout,
@@ -242,7 +254,7 @@ impl InputsOverTime {
             let lagging = id_of(&format!("{name}_lagging"));
             let tau = layout.parameter(&format!("k_lag_of_{name}"));
             Some(RecordedInput {
-                value: id_of(name)?,
+                value: Self::parameter(layout, name)?,
                 delay: rate.and_then(|_| layout.parameter(&format!("k_delay_of_{name}"))),
                 lag: lagging.zip(tau).map(|(lagging, tau)| InputLag {
                     tau,

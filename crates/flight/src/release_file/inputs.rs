@@ -6,7 +6,7 @@ use toml::de::DeTable;
 
 use crate::files::bounded_text;
 use crate::initial_conditions::Vocabulary;
-use crate::inputs::read_inputs;
+use crate::inputs::{END_TOLERANCE, read_inputs};
 use crate::toml_reader::{Reader, Value, suggestion};
 use crate::{InputInterpolation, InputSeries};
 
@@ -31,8 +31,23 @@ impl<'t> Reader<'t> {
                 self.fault(span, message);
                 continue;
             };
+            let parameters = document
+                .get("parameters")
+                .and_then(|own| own.get_ref().as_table());
+            if parameters.is_some_and(|own| own.contains_key(name)) {
+                let message = format!("{name} is in [parameters] too; expected it only here");
+                self.fault(span, message);
+            }
             if let Some(table) = value.get_ref().as_table() {
                 let series = self.series(name, value, table);
+                if let Some((begin, end)) = series.as_ref().map(InputSeries::span)
+                    && begin > END_TOLERANCE
+                {
+                    let message = format!(
+                        "{name} is given from {begin} to {end} s, and the flight begins at 0 s; expected values from there on"
+                    );
+                    self.fault(value.span(), message);
+                }
                 let samples = series.iter().flat_map(InputSeries::samples);
                 let outside = samples.filter_map(|(t, own)| {
                     let expected = known.expected_instead_of(own)?;

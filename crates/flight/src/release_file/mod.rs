@@ -296,8 +296,15 @@ impl<'t> Reader<'t> {
             if inputs.clone().any(|input| input == name) {
                 found.extend(self.vector(value, name).map(|v| (name.to_string(), v)));
             } else {
-                let hint = suggestion(name, inputs.clone());
-                self.fault(span, format!("the model has no input {name:?}{hint}"));
+                let mut scalars = vocabulary.scalar_inputs.iter();
+                let message = match scalars.any(|own| own.name == name) {
+                    true => format!("{name} is a scalar; expected it in [inputs]"),
+                    false => {
+                        let hint = suggestion(name, inputs.clone());
+                        format!("the model has no input {name:?}{hint}")
+                    }
+                };
+                self.fault(span, message);
             }
         }
         found

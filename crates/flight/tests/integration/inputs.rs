@@ -126,6 +126,18 @@ fn wrong_inputs_are_told() {
             "expected linear, hold, cubic",
         ),
         (
+            "thrust = { t = [0.5, 3.0], value = [1.0, 1.0] }",
+            "thrust is given from 0.5 to 3 s, and the flight begins at 0 s; expected values from there on",
+        ),
+        (
+            "thrust = 1.0\n[parameters]\nthrust = 2.0",
+            "thrust is in [parameters] too; expected it only here",
+        ),
+        (
+            "brake = 0.5\n[known]\nthrust = 2.0",
+            "thrust is a scalar; expected it in [inputs]",
+        ),
+        (
             "thrust = { t = [0.0], values = [1.0] }",
             "unknown key \"values\" in thrust",
         ),
@@ -133,6 +145,18 @@ fn wrong_inputs_are_told() {
         let error = release(inputs).expect_err(inputs);
         assert!(error.contains(told), "{inputs}: {error}");
     }
+}
+
+#[test]
+fn a_value_of_an_input_with_a_table_would_have_no_influence() {
+    let read = release("thrust = { t = [0.0, 3.0], value = [1.0, 1.0] }\nbrake = 0.5");
+    let read = read.expect("a release");
+    let why = read.overruled("thrust").expect("a table");
+    assert!(
+        why.contains("thrust has a table over time in [inputs]"),
+        "{why}"
+    );
+    assert_eq!((read.overruled("brake"), read.overruled("m")), (None, None));
 }
 
 #[test]

@@ -48,7 +48,7 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::{FitProblem, whitened_tolerance};
 use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, MARKER};
-use crate::{screening, vertical};
+use crate::{inputs, screening, vertical};
 use dataset::{Dataset, Flight, Role};
 pub use finished::fit_observations;
 pub use held_out::CONDITIONING_FRACTION;
@@ -269,6 +269,7 @@ impl Screened<'_> {
         }
         report.marker_distances = marker_distances;
         report.notes = summaries::notes(problem, dataset);
+        report.notes.extend(inputs::notes(problem, dataset));
         report.assess();
         let total = self.clock.elapsed().as_secs_f64();
         let seconds = [started, solved - started, total];
@@ -333,6 +334,7 @@ fn left_out(flight: &Flight, reason: &FlightError) -> FlightResult {
         initial: BTreeMap::new(),
         cut: None,
         notes: vec![format!("left out: {reason}")],
+        is_summary: false,
         seen: Vec::new(),
         outcome: FlightOutcome::Excluded { reason },
     };

@@ -117,9 +117,8 @@ pub fn reports(
 
 /// Adds a note to the report of each flight whose residuals are far larger than those of the other flights.
 fn note_misfits(flights: &mut [FlightReport]) {
-    let (summaries, tracks): (Vec<_>, Vec<_>) = flights
-        .iter_mut()
-        .partition(|flight| !flight.seen.is_empty());
+    let (summaries, tracks): (Vec<_>, Vec<_>) =
+        flights.iter_mut().partition(|flight| flight.is_summary);
     for mut alike in [summaries, tracks] {
         let median = median_of(alike.iter().map(|flight| flight.misfit())).unwrap_or(0.0);
         for flight in &mut alike {
@@ -419,6 +418,7 @@ pub fn flight_report(
             .chain(undetermined(problem, observations, &initial))
             .collect(),
         initial,
+        is_summary: observations.is_summary,
         seen: Vec::new(),
     }
 }

@@ -207,6 +207,10 @@ pub struct FlightReport {
     pub cut: Option<Truncation>,
     /// Remarks on the flight, such as the reason for its exclusion or a repeated fit.
     pub notes: Vec<String>,
+    /// Whether the flight is a summary.
+    #[doc(hidden)]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_summary: bool,
     /// For a summary, what was seen of the flight beside what the model predicts; of a held-out one, after the release.
     #[doc(hidden)]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -13,7 +13,7 @@ use crate::error::FitError;
 use crate::noise::group_count;
 use crate::summary_value::{SummaryValue, Vectors};
 use dataset::statistics::median_of;
-use dataset::{Dataset, SummaryEvent, SummaryQuantity};
+use dataset::{Dataset, Sensor, SummaryEvent, SummaryQuantity};
 
 /// The vectors of a motion, in the order of [`Vectors`].
 const VECTORS: [MotionVector; 6] = [
@@ -107,7 +107,7 @@ impl SummaryModel {
             .partition(|state| is_constant(*state));
         let omega = model.unknown_states().into_iter();
         let omega = omega
-            .filter(|(name, _)| name == SPIN)
+            .filter(|(name, _)| name == Sensor::SPIN)
             .map(|(_, state)| state);
         let spin = omega.collect::<Vec<_>>().try_into().ok();
         Ok(Self {
@@ -127,9 +127,6 @@ impl SummaryModel {
     }
 }
 
-/// Input of a point mass that is its spin.
-pub(crate) const SPIN: &str = "omega";
-
 /// Checks that a body, or a point mass if `has_attitude` is false, has a quantity.
 fn check(quantity: SummaryQuantity, has_attitude: bool, has_spin: bool) -> Result<(), String> {
     let name = quantity.name();
@@ -148,7 +145,8 @@ fn check(quantity: SummaryQuantity, has_attitude: bool, has_spin: bool) -> Resul
             if !has_spin =>
         {
             Err(format!(
-                "it has no {name}; expected an input {SPIN} of a ball, or a body that turns"
+                "it has no {name}; expected an input {} of a ball, or a body that turns",
+                Sensor::SPIN
             ))
         }
         _ => Ok(()),

@@ -6,6 +6,7 @@ use model_spec::model::{Expr, ExprKind, Model};
 use model_spec::sort_by_number;
 use nalgebra::{DMatrix, SymmetricEigen};
 
+use crate::numbers::{is_angle, unit};
 use crate::problem::GlobalParameter;
 use crate::report::NonIdentifiable;
 use crate::wording::listed;
@@ -134,19 +135,16 @@ fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option
 
 /// Range of an auxiliary variable or state in words; angles in degrees.
 fn range(model: &Model, name: &str, low: f64, high: f64) -> String {
-    let angle = model_spec::unit::Unit::RADIAN;
     let quantity = model
         .aux_variables
         .iter()
         .find(|quantity| quantity.name == name);
-    let is_angle = quantity.is_some_and(|quantity| quantity.value.unit == angle);
-    if is_angle {
+    if quantity.is_some_and(|quantity| is_angle(&quantity.value)) {
         let (low, high) = (low.to_degrees(), high.to_degrees());
         return format!("{name} lies between {low:.1}° and {high:.1}°");
     }
-    let unit = quantity
-        .map(|quantity| quantity.value.unit.to_string())
-        .unwrap_or_default();
+    let unit = quantity.map(|quantity| unit(&quantity.value.unit.to_string()));
+    let unit = unit.unwrap_or_default();
     format!("{name} lies between {low:.3} and {high:.3} {unit}")
         .trim_end()
         .to_owned()
@@ -166,5 +164,28 @@ impl<'m> Found<'m> {
             ExprKind::State(i) => self.quantities.push(&model.states[i].name),
             _ => expression.children(&mut |child| self.walk(model, child)),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::range;
+
+    #[test]
+    fn angles_are_in_degrees_and_ratios_are_not() {
+        let disc = model_spec::load::load("disc", &[]).expect("the disc");
+        let told = |name: &str| range(&disc, name, 0.1, 0.25);
+        assert_eq!(told("alpha"), "alpha lies between 5.7° and 14.3°");
+        assert_eq!(told("V"), "V lies between 0.100 and 0.250 m/s");
+        assert_eq!(
+            told("spin_ratio"),
+            "spin_ratio lies between 0.100 and 0.250 rad"
+        );
+        let text = "model drop; param m = 1 kg; param nu = 1e-5 m^2/s; coefficient c = 1 N; frame N;\n\
+             point drop { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }\n\
+             let Re = vx*(1 m)/nu; force drag = (c*Re, 0, 0) in N;\n";
+        let drop = model_spec::load::from_text("drop.hyz", text, &[]).expect("a model");
+        let told = range(&drop, "Re", 9e4, 2e5);
+        assert_eq!(told, "Re lies between 90000.000 and 200000.000");
     }
 }

@@ -167,6 +167,143 @@ fn an_input_that_is_unknown_or_too_short_excludes_the_flight() {
     );
 }
 
+/// The flights of [`flown`], and a fifth one with a throttle of 0.8 throughout, of which nothing is recorded.
+fn flown_with_a_constant(model: &Model) -> Dataset {
+    let mut dataset = flown(model, InputInterpolation::Linear);
+    let mut release = Release {
+        stop: Stop::Duration(2.0),
+        ..Release::of(model).with_initial("z", 5.0)
+    };
+    release.parameters.push(("throttle".into(), 0.8));
+    let plan = Plan {
+        flights: 1,
+        rate: 100.0,
+        seed: 50,
+        noise: Corruption {
+            sigma: 1e-3,
+            ..Corruption::default()
+        },
+        ..Plan::default()
+    };
+    let made = flights(model, &[release], &plan).expect("made").dataset;
+    let mut last = made.flights.into_iter().next().expect("one");
+    last.file = "last.csv".into();
+    last.known.clear();
+    dataset.flights.push(last);
+    dataset
+}
+
+#[test]
+fn an_input_may_be_unknown_in_one_flight_and_recorded_in_the_others() {
+    let model = drone();
+    let mut dataset = flown_with_a_constant(&model);
+    let check = |dataset: &Dataset| {
+        dataset.validate().expect("a dataset that files hold");
+        // A throttle that nobody states looks like another gravity.
+        let options = FitOptions {
+            trust_data: true,
+            ..FitOptions::default()
+        };
+        let found = fit(&model, dataset, &options).expect("a fit");
+        let excluded: Vec<_> = found.report.excluded().map(|own| &own.notes).collect();
+        assert!(excluded.is_empty(), "{excluded:?}");
+        for (name, value) in [("k", 8.0), ("c", 0.1)] {
+            let own = &found.report.coefficients[name];
+            assert!(
+                (own.value - value).abs() < 4.0 * own.std_error && own.std_error < 0.02 * value,
+                "{name}: {own:?}"
+            );
+        }
+        let of_flight = |index: usize| found.report.flights[index].initial["throttle_constant"];
+        assert_eq!((of_flight(0).value, of_flight(0).std_error), (0.0, 0.0));
+        let own = of_flight(4);
+        assert!(
+            (own.value - 0.8).abs() < 4.5 * own.std_error && own.std_error < 0.01,
+            "{own:?}"
+        );
+        let tree = model_spec::ModelTree::parse("drone.hyz", DRONE).expect("a drone");
+        let text = found.fitted_text(&tree, dataset, "").expect("a model");
+        assert!(text.contains("input throttle = 0.7"), "{text}");
+    };
+    dataset.flights[4].unknown = vec!["throttle".into()];
+    check(&dataset);
+    dataset.flights[4].unknown.clear();
+    dataset.flights[4].known = BTreeMap::from([
+        ("throttle".into(), KnownValue::Scalar(0.85)),
+        ("throttle_sigma".into(), KnownValue::Scalar(0.05)),
+    ]);
+    check(&dataset);
+    // In every flight that does not state it.
+    dataset.flights[4].known.clear();
+    dataset.unknown = vec!["throttle".into()];
+    check(&dataset);
+    dataset.flights[1].inputs[0].1 =
+        InputSeries::new(&[(0.0, 0.7), (3.0, 7.0)], InputInterpolation::Linear);
+    let found = fit(&model, &dataset, &FitOptions::default()).expect("a fit of the others");
+    let notes = &found.report.flights[1].notes;
+    assert!(
+        notes[0].contains("expected 0 to 2, its bounds in the model"),
+        "{notes:?}"
+    );
+}
+
+#[test]
+fn an_effect_on_a_recorded_input_is_found_beside_a_flight_in_which_it_is_unknown() {
+    let late = drone();
+    let tree = model_spec::ModelTree::of(&late);
+    let late = tree.with_named(["delay_of_throttle"]).expect("a delay");
+    let late = late.check().expect("a model");
+    let mut dataset = flown_with_a_constant(&drone());
+    dataset.flights[4].unknown = vec!["throttle".into()];
+    for (_, series) in dataset.flights.iter_mut().flat_map(|own| &mut own.inputs) {
+        let times = (0..=206).map(|k| f64::from(k) * 0.01);
+        let samples: Vec<(f64, f64)> = times.map(|t| (t, series.at(t + 0.05))).collect();
+        *series = InputSeries::new(&samples, InputInterpolation::Linear);
+    }
+    let found = fit(&late, &dataset, &FitOptions::default()).expect("a fit");
+    let own = &found.report.coefficients["k_delay_of_throttle"];
+    assert!((own.value - 0.05).abs() < 0.005, "{own:?}");
+}
+
+#[test]
+fn a_flight_without_the_table_that_others_have_is_told() {
+    let model = drone();
+    let dataset = flown_with_a_constant(&model);
+    let notes_of = |dataset: &Dataset| {
+        let found = fit(&model, dataset, &FitOptions::default());
+        found.expect("a fit").report.notes
+    };
+    let told = "the input throttle has no table in last.csv, as it has in other flights: it is taken as 0.7";
+    let notes = notes_of(&dataset);
+    assert!(notes.iter().any(|own| own.contains(told)), "{notes:?}");
+    let mut stated = dataset.clone();
+    stated.flights[4].known = BTreeMap::from([("throttle".into(), KnownValue::Scalar(0.8))]);
+    assert_eq!(notes_of(&stated), Vec::<String>::new());
+    // Beside a flight in which it is unknown, too.
+    stated.flights[3].inputs.clear();
+    stated.flights[3].unknown = vec!["throttle".into()];
+    stated.flights[4].known.clear();
+    let notes = notes_of(&stated);
+    assert!(notes.iter().any(|own| own.contains(told)), "{notes:?}");
+}
+
+#[test]
+fn a_constant_that_the_dataset_sets_may_be_unknown_in_a_flight() {
+    let model = drone();
+    let mut dataset = flown(&model, InputInterpolation::Linear);
+    dataset.parameters.insert("g".into(), 9.81);
+    let gravity = |dataset: &Dataset, flight: usize| {
+        let found = fit(&model, dataset, &FitOptions::default()).expect("a fit");
+        found.report.flights[flight].initial["g"]
+    };
+    dataset.flights[3].unknown = vec!["g".into()];
+    let (known, own) = (gravity(&dataset, 0), gravity(&dataset, 3));
+    assert_eq!((known.value, known.std_error), (9.81, 0.0));
+    assert!((own.value - 9.81).abs() < 4.5 * own.std_error, "{own:?}");
+    dataset.parameters.insert("g".into(), 9.7);
+    assert_eq!(gravity(&dataset, 0).value, 9.7);
+}
+
 /// Flights of a ball with lift by spin, whose spins differ, and the spins.
 fn spinning() -> (Model, Dataset, Vec<[f64; 3]>) {
     let model = model_spec::load::load("ball", &["magnus"]).expect("a ball");

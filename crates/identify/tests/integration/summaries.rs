@@ -224,6 +224,21 @@ fn rows_with_measured_wind_pass_as_those_without() {
     }
 }
 
+#[test]
+fn a_row_without_an_outcome_is_a_summary_as_the_others() {
+    let model = model_spec::load::load("golf_ball", &[]).expect("built in");
+    let mut shots = dataset(10, 5, |column| column >= 5);
+    let columns = shots.sensors.iter().zip(&mut shots.flights[2].readings[0]);
+    for (_, reading) in columns.filter(|(own, _)| own.is_outcome()) {
+        *reading = None;
+    }
+    let found = fit(&model, &shots, &options()).expect("a fit");
+    let flights = &found.report.flights;
+    assert!(flights.iter().all(|own| own.is_summary && own.is_used()));
+    let seen: Vec<usize> = flights.iter().map(|own| own.seen.len()).collect();
+    assert_eq!(seen, [5, 5, 0, 5, 5, 5, 5, 5, 5, 5]);
+}
+
 /// Tracks of the golf ball, whose spin is known, made by hyzer's own integrator.
 fn tracks() -> Dataset {
     let model = model_spec::load::load("golf_ball", &[]).expect("built in");

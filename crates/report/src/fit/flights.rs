@@ -15,19 +15,14 @@ pub(super) fn section(page: &FitPage<'_>) -> Html {
     let mut content = Html::new();
     content.grid(draw::histogram(page.report).into_iter().collect(), 1, true);
     // Summaries have a table of their own; those with a remark are listed here as well.
-    let is_listed = |flight: &&FlightReport| flight.seen.is_empty() || !flight.notes.is_empty();
+    let is_listed = |flight: &&FlightReport| !flight.is_summary || !flight.notes.is_empty();
     let fitted: Vec<_> = page.report.used(Role::Fit).filter(is_listed).collect();
     let held_out: Vec<_> = page.report.used(Role::HeldOut).filter(is_listed).collect();
     let excluded: Vec<_> = page.report.excluded().collect();
     if page.report.flights.is_empty() {
         content.paragraph("None.");
     }
-    if page
-        .report
-        .flights
-        .iter()
-        .any(|flight| !flight.seen.is_empty())
-    {
+    if page.report.flights.iter().any(|flight| flight.is_summary) {
         content.heading("Seen → predicted");
         content.note("All values are in summaries.csv.");
         content.table(&super::summaries::table(page.report));

@@ -11,15 +11,12 @@ use crate::thin::MAX_ROWS;
 /// Whether every flight that was used is a summary.
 pub(super) fn only(report: &FitReport) -> bool {
     let mut used = report.flights.iter().filter(|flight| flight.is_used());
-    used.clone().next().is_some() && used.all(|flight| !flight.seen.is_empty())
+    used.clone().next().is_some() && used.all(|flight| flight.is_summary)
 }
 
-/// Flights with what was seen of them.
+/// Flights that are summaries.
 fn flights(report: &FitReport) -> impl Iterator<Item = &FlightReport> {
-    report
-        .flights
-        .iter()
-        .filter(|flight| !flight.seen.is_empty())
+    report.flights.iter().filter(|flight| flight.is_summary)
 }
 
 /// Number of values that were seen of the fitted flights.

@@ -40,7 +40,7 @@ pub fn text(of: &FitPage<'_>) -> String {
     }
     let mut add = |what: &str, mut flights: Vec<&FlightReport>| {
         // Summaries have the table above, and those with a remark are listed here as well.
-        flights.retain(|flight| flight.seen.is_empty() || !flight.notes.is_empty());
+        flights.retain(|flight| !flight.is_summary || !flight.notes.is_empty());
         if !flights.is_empty() {
             let flights = largest_first(flights, MAX_ROWS, |flight| Some(flight.rms()));
             let table = flights::table(of, &flights);

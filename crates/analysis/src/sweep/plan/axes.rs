@@ -64,6 +64,8 @@ enum NameError {
         "{0} is both a number of the throw and a parameter of the model; expected a plan by [initial] to vary the parameter"
     )]
     Ambiguous(String),
+    #[error("{0}")]
+    Overruled(String),
 }
 
 /// What names of a plan are looked up in.
@@ -79,6 +81,9 @@ pub(super) struct Names<'a> {
 impl Names<'_> {
     /// Input that a name denotes, and its value in the plan's throw or release.
     fn find(&self, name: &str) -> Result<(Target, f64), NameError> {
+        if let Some(why) = self.release.overruled(name) {
+            return Err(NameError::Overruled(why));
+        }
         let mut found = Vec::new();
         if let Some(throw) = self.throw {
             if let Some(index) = FIELDS.iter().position(|(field, ..)| *field == name) {

@@ -196,6 +196,7 @@ pub fn report(flights: usize) -> FitReport {
             samples: 14,
             reason: "the velocity jumps by 3.1 m/s: the disc touched the ground".into(),
         }),
+        is_summary: false,
         seen: Vec::new(),
         notes: if number == 2 {
             vec!["fitted again from the pose of its markers".into()]
