@@ -30,6 +30,11 @@ pub(crate) struct Complete {
 /// Parses a text whose spans have this [`Span::source`], and reads the files that it names; these lie beside the file
 /// of the name `name`, if there is one.
 pub(crate) fn parse(name: &str, text: &str, source: u16) -> Complete {
+    parse_with(name, text, source, &|_| None)
+}
+
+/// Parses a text as [`parse`] does; of a file that is `open` elsewhere, the text is taken from there.
+pub(crate) fn parse_with(name: &str, text: &str, source: u16, open: &Open<'_>) -> Complete {
     let parsed = parse_statements(name, text, source);
     let path = Path::new(name);
     let mut reader = Reader {
@@ -38,6 +43,7 @@ pub(crate) fn parse(name: &str, text: &str, source: u16) -> Complete {
         sources: vec![parsed.source],
         diagnostics: parsed.diagnostics,
         known: path.canonicalize().into_iter().collect(),
+        open,
     };
     let folder = path.is_file().then(|| path.parent().unwrap_or(path));
     let mut file = parsed.file;
@@ -55,7 +61,10 @@ pub(crate) fn parse(name: &str, text: &str, source: u16) -> Complete {
     }
 }
 
-struct Reader {
+/// Text of a file that counts in place of what is stored, by its path.
+pub type Open<'a> = dyn Fn(&Path) -> Option<String> + 'a;
+
+struct Reader<'a> {
     /// [`Span::source`] of the first of the sources.
     first: u16,
     bytes: usize,
@@ -63,9 +72,10 @@ struct Reader {
     diagnostics: Vec<Diagnostic>,
     /// Files whose statements are in the tree, or that are being read.
     known: Vec<PathBuf>,
+    open: &'a Open<'a>,
 }
 
-impl Reader {
+impl Reader<'_> {
     /// Replaces the statements that name files; `folder` is that of the file of the statements.
     fn complete(&mut self, items: Vec<Item>, folder: Option<&Path>, depth: usize) -> Vec<Item> {
         let mut all = Vec::with_capacity(items.len());
@@ -186,7 +196,7 @@ impl Reader {
         if path.exists() && !path.is_file() {
             return self.refuse(fault(format!("`{name}` is no file")));
         }
-        let text = match read(&name) {
+        let text = match (self.open)(path).map_or_else(|| read(&name), Ok) {
             Ok(text) => text,
             Err(LoadError::Faults { diagnostics, .. }) => {
                 let message = diagnostics.first().map_or("", |found| &found.message);

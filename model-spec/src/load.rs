@@ -5,6 +5,7 @@ use crate::diagnostic::{Diagnostic, Source};
 use crate::model::Model;
 use crate::syntax::ast::File;
 
+pub use crate::files::Open;
 pub use crate::read::LoadError;
 pub use crate::read::{BODIES, EFFECTS, MODELS, REFUTED, WINDS};
 pub use crate::read::{decode, read};
@@ -53,7 +54,22 @@ pub fn inspect(name_or_path: &str, with: &[&str]) -> Result<Loaded, LoadError> {
 /// Loads a model from text and applies the effects `with`, as [`from_text`] does, but returns the model's errors as
 /// [`Loaded::diagnostics`]. Messages refer to the text as `name`.
 pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, LoadError> {
-    let (mut tree, mut diagnostics) = ModelTree::parse_with_faults(name, text);
+    let (tree, diagnostics) = ModelTree::parse_with_faults(name, text);
+    inspect_tree(tree, diagnostics, with)
+}
+
+/// Loads a model from text as [`inspect_text`] does without effects. Of a file that it names, the text is what `open`
+/// returns for its path, if anything, in place of what is stored.
+pub fn inspect_open(name: &str, text: &str, open: &Open<'_>) -> Result<Loaded, LoadError> {
+    let (tree, diagnostics) = ModelTree::parse_open(name, text, open);
+    inspect_tree(tree, diagnostics, &[])
+}
+
+fn inspect_tree(
+    mut tree: ModelTree,
+    mut diagnostics: Vec<Diagnostic>,
+    with: &[&str],
+) -> Result<Loaded, LoadError> {
     for wanted in with {
         let effect = match tree.find_effect(wanted) {
             Err(error) if !diagnostics.is_empty() => return Err(after(tree, diagnostics, error)),

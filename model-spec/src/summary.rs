@@ -14,7 +14,9 @@ use std::fmt::Write;
 pub fn summary(model: &Model) -> String {
     let mut out = String::new();
     let _ = write(&mut out, model);
-    out
+    out.lines()
+        .map(|line| line.trim_end().to_owned() + "\n")
+        .collect()
 }
 
 fn write(out: &mut String, model: &Model) -> std::fmt::Result {
@@ -62,9 +64,17 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     section(
         out,
         "limits",
-        { model.limits.iter() }
-            .filter(|limit| !is_of_system(limit))
-            .map(|limit| {
+        { model.limits.iter().enumerate() }
+            .filter(|(_, limit)| !is_of_system(limit))
+            .map(|(index, limit)| {
+                if let Some(allowed) = tolerance(limit) {
+                    // Behind a constraint come its derivatives.
+                    let is_first = index == 0 || model.limits[index - 1].span != limit.span;
+                    return match is_first {
+                        true => model.text(limit.span).trim_end_matches(';').to_owned(),
+                        false => format!("  its derivative within {allowed}"),
+                    };
+                }
                 let text = if model.is_automatic(limit) {
                     automatic(model, limit)
                 } else {
@@ -81,7 +91,7 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         let (text, what) = (&point.text, &point.what);
         let index = usize::from(point.span.source);
         let Some(source) = model.sources.get(index) else {
-            return format!("line 1: {text} is {what}");
+            return format!("line 1: {text} {what}");
         };
         let (from, line) = &mut read[index];
         let start = point.span.range().start.max(*from);
@@ -91,7 +101,7 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             0 => String::new(),
             _ => format!("{}, ", source.name),
         };
-        format!("{file}line {line}: {text} is {what}")
+        format!("{file}line {line}: {text} {what}")
     });
     section(out, "singular points", points)?;
     if !model.checks.is_empty() {
@@ -249,6 +259,19 @@ fn table(table: &Table) -> String {
 /// Whether the limit ends where a block `solve` does not determine its unknowns.
 fn is_of_system(limit: &ValidityLimit) -> bool {
     matches!(limit.value.kind, ExprKind::Determinacy(_))
+}
+
+/// By how much the sides of a constraint, or of its derivative, may differ; `None` for other limits.
+fn tolerance(limit: &ValidityLimit) -> Option<String> {
+    match &limit.value.kind {
+        ExprKind::Sub(allowed, size) if size.span == limit.span => match allowed.kind {
+            ExprKind::Number { value, .. } => {
+                Some(with_unit(value, &allowed.unit.tidy().to_string()))
+            }
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// Text of a limit that avoids gimbal lock, such as `cos(theta)`.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use codegen::backend::{Backend, SourceFile};
 use codegen::generate::{self, Difference};
+use identify::wording::count;
 use model_spec::load;
 use model_spec::model::Model;
 
@@ -85,11 +86,12 @@ fn report(differences: &[Difference], folder: &str, models: usize) -> anyhow::Re
         output::print(difference.to_string())?;
     }
     if differences.is_empty() {
-        eprintln!("{models} models; {folder} is up to date");
+        eprintln!("{}; {folder} is up to date", count(models, "model"));
         return Ok(Answer::Yes);
     }
-    let count = differences.len();
-    eprintln!("{count} files of {folder} are stale; run `hyzer generate` without --check");
+    let files = count(differences.len(), "file");
+    let are = if differences.len() == 1 { "is" } else { "are" };
+    eprintln!("{files} of {folder} {are} stale; run `hyzer generate` without --check");
     Ok(Answer::No)
 }
 
@@ -97,7 +99,8 @@ fn list(changed: &[String], folder: &str, models: usize) -> anyhow::Result<Answe
     for path in changed {
         output::print(format!("{folder}/{path}\n"))?;
     }
-    eprintln!("{models} models, {} files changed", changed.len());
+    let (models, files) = (count(models, "model"), count(changed.len(), "file"));
+    eprintln!("{models}, {files} changed");
     Ok(Answer::Yes)
 }
 

@@ -14,6 +14,7 @@ use flight::throw::{FlownThrow, Throw};
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::load::load;
 use model_spec::model::{Body, Model};
+use model_spec::syntax::spelling::joined;
 use ode::{IntegrationOptions, Trajectory};
 use report::Units;
 use report::figures::{StateLabel, flight as picture};
@@ -209,7 +210,9 @@ pub(super) fn apply_all(
     let is_set = |state: &usize| {
         let name = &model.states[*state].name;
         let names = sets.iter().filter_map(|set| set.split_once('='));
-        names.map(|(set, _)| set.trim()).any(|set| set == name)
+        names
+            .map(|(set, _)| joined(set.trim()))
+            .any(|set| set == *name)
     };
     let quaternions = model.quaternions();
     let quaternions = quaternions.filter(|states| states.iter().any(is_set));
@@ -223,7 +226,7 @@ pub(super) fn apply_all(
 fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
     let expected = || format!("--set: found {set:?}, expected NAME=VALUE");
     let (name, value) = set.split_once('=').with_context(expected)?;
-    let (name, value) = (name.trim(), number("--set", value)?);
+    let (name, value) = (&*joined(name.trim()), number("--set", value)?);
     if let Some(why) = release.overruled(name) {
         bail!("--set: {why}");
     }
@@ -245,6 +248,9 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
         values.retain(|(known, _)| known != name);
         values.push((name.to_owned(), value));
         return Ok(());
+    }
+    if vocabulary.is_computed(name) {
+        bail!("--set: {name} is computed from other parameters; set those");
     }
     let Some((_, state)) = release.initial.iter_mut().find(|(known, _)| known == name) else {
         let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);

@@ -17,6 +17,76 @@ const COMPOUND: [&str; 18] = [
     "m^2", "km/h", "/s", "/rad", "/rad^2", "mN",
 ];
 
+/// Words that begin a statement in a block, by the word that begins the block.
+const BLOCKS: [(&str, &[&str]); 7] = [
+    ("solve", &["unknown", "constraint"]),
+    ("body", OF_BODY),
+    ("point", OF_BODY),
+    (
+        "claim",
+        &[
+            "mass", "inertia", "fixed", "axis", "forward", "position", "velocity", "angular",
+            "force", "moment", "let",
+        ],
+    ),
+    ("check", &["set", "expect", "let"]),
+    ("function", &["let", "return"]),
+    (
+        "effect",
+        &[
+            "source",
+            "needs",
+            "generalises",
+            "increases",
+            "decreases",
+            "site",
+            "variables",
+            "coefficient",
+            "param",
+            "input",
+            "state",
+            "der",
+            "replace",
+            "function",
+            "table",
+            "let",
+            "force",
+            "moment",
+            "negligible",
+        ],
+    ),
+];
+
+const OF_BODY: &[&str] = &[
+    "mass", "inertia", "fixed", "axis", "forward", "position", "velocity", "angular", "let",
+];
+
+/// Words that begin a statement in blocks alone.
+const INNER_STATEMENTS: [&str; 22] = [
+    "unknown",
+    "constraint",
+    "set",
+    "expect",
+    "replace",
+    "site",
+    "variables",
+    "source",
+    "needs",
+    "generalises",
+    "negligible",
+    "increases",
+    "decreases",
+    "mass",
+    "inertia",
+    "fixed",
+    "axis",
+    "forward",
+    "position",
+    "velocity",
+    "angular",
+    "return",
+];
+
 /// What may stand at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Place {
@@ -47,8 +117,15 @@ pub fn complete(document: &Document, project: &Project<'_>, position: &Value) ->
     match place(before) {
         Place::Nothing => json!([]),
         Place::Statement => {
-            let mut items = words(&statements(), 14);
-            if is_in_solve(before) {
+            let block = block(before);
+            let may_stand = |word: &str| match BLOCKS.iter().find(|own| own.0 == block) {
+                Some((_, inner)) => inner.contains(&word),
+                None => !INNER_STATEMENTS.contains(&word),
+            };
+            let mut own = statements();
+            own.retain(|(word, ..)| may_stand(word));
+            let mut items = words(&own, 14);
+            if block == "solve" {
                 // An equation begins with any name.
                 items.extend(names(project, at, |kind| !is_heading(kind)));
                 items.extend(of_bodies(project));
@@ -164,27 +241,38 @@ fn is_heading(kind: SymbolKind) -> bool {
     headings.contains(&kind)
 }
 
-/// Whether a text ends inside a block `solve { … }`.
-fn is_in_solve(before: &str) -> bool {
+/// Word that begins the innermost block in which a text ends; empty outside of blocks.
+fn block(before: &str) -> &str {
     let mut open = 0_usize;
     for (at, sign) in before.rmatch_indices(['{', '}']) {
         match (sign, open) {
             ("}", _) => open += 1,
             (_, 0) => {
                 let head = before[..at].rsplit([';', '{', '}']).next();
-                let words = head.unwrap_or_default().split_whitespace();
-                return words.rev().take(2).any(|word| word == "solve");
+                let lines = head.unwrap_or_default().lines().map(str::trim_start);
+                let mut code = lines.filter(|line| !line.starts_with("//") && !line.is_empty());
+                let first = code.next().and_then(|line| line.split_whitespace().next());
+                return first.unwrap_or_default();
             }
             _ => open -= 1,
         }
     }
-    false
+    ""
 }
 
 fn names(project: &Project<'_>, at: usize, is_wanted: impl Fn(SymbolKind) -> bool) -> Vec<Value> {
     let known = project.symbols.known_at(at);
     let known = known.filter(|own| is_wanted(own.kind));
-    known.map(|own| item(project, own)).collect()
+    let mut shown: Vec<Value> = Vec::new();
+    for own in known.map(|own| item(project, own)) {
+        // Frames may be turned by a state that is declared elsewhere.
+        let is_same =
+            |other: &Value| other["label"] == own["label"] && other["kind"] == own["kind"];
+        if !shown.iter().any(is_same) {
+            shown.push(own);
+        }
+    }
+    shown
 }
 
 /// Quantities of each body that its model has by the name of the body.

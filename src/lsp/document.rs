@@ -2,12 +2,11 @@
 
 use std::cell::OnceCell;
 use std::path::Path;
-use std::sync::LazyLock;
 
 use model_spec::LoadError;
 use model_spec::compose::{EffectTree, ModelTree};
 use model_spec::diagnostic::{Diagnostic, Source};
-use model_spec::load::inspect_text;
+use model_spec::load::{Open, inspect_open};
 use model_spec::model::Model;
 use model_spec::symbols::Symbols;
 use model_spec::syntax::ast::{self, ItemKind};
@@ -33,7 +32,9 @@ pub struct Document {
     pub text: String,
     /// Its lines.
     pub lines: Lines,
-    analysis: Option<Analysis>,
+    analysis: Analysis,
+    /// Whether the text, or one that it includes, has changed since.
+    is_stale: bool,
     /// The model of the last text that had one.
     model: Option<Model>,
     /// Operations for each quantity of that model, once they are asked for.
@@ -60,7 +61,8 @@ impl Document {
             version,
             text: String::new(),
             lines: Lines::default(),
-            analysis: None,
+            analysis: Analysis::default(),
+            is_stale: true,
             model: None,
             operations: OnceCell::new(),
         };
@@ -75,7 +77,7 @@ impl Document {
         }
         self.lines = Lines::of(&text);
         self.text = text;
-        self.analysis = None;
+        self.is_stale = true;
     }
 
     /// Applies a change: the whole text, or the text of a range.
@@ -90,15 +92,19 @@ impl Document {
         self.set(changed);
     }
 
-    /// Forgets what is known, where a file on which it depends may have changed.
+    /// States that a file on which the text depends may have changed.
     pub fn forget(&mut self) {
-        self.analysis = None;
+        self.is_stale = true;
     }
 
-    /// What [`Document::analyse`] found.
+    /// What was found out last; of a text that has changed since, the files that it includes are used.
     pub fn known(&self) -> &Analysis {
-        static NOTHING: LazyLock<Analysis> = LazyLock::new(Analysis::default);
-        self.analysis.as_ref().unwrap_or(&NOTHING)
+        &self.analysis
+    }
+
+    /// Whether the text, or one that it includes, has changed since the last analysis.
+    pub fn is_stale(&self) -> bool {
+        self.is_stale
     }
 
     /// The model of the last text that had one.
@@ -113,37 +119,41 @@ impl Document {
         self.operations.get_or_init(count)
     }
 
-    /// Finds out what is not known yet about the text.
-    pub fn analyse(&mut self) {
-        if self.analysis.is_none() {
-            let (faults, sources, model) = checked(&self.path, &self.text);
-            if let Some(model) = model {
-                self.model = Some(model);
-                self.operations = OnceCell::new();
-            }
-            let symbols = match self.text.len() {
-                0..=MAX_SOURCE_BYTES => Symbols::of(&self.text),
-                _ => Symbols::default(),
-            };
-            self.analysis = Some(Analysis {
-                symbols,
-                faults,
-                sources,
-            });
+    /// Checks the text; of the files that are `open`, these texts count.
+    pub fn check(&self, open: &Open<'_>) -> Checked {
+        checked(&self.path, &self.text, open)
+    }
+
+    /// Takes over what [`Document::check`] found.
+    pub fn learn(&mut self, (faults, sources, model): Checked) {
+        if let Some(model) = model {
+            self.model = Some(model);
+            self.operations = OnceCell::new();
         }
+        let symbols = match self.text.len() {
+            0..=MAX_SOURCE_BYTES => Symbols::of(&self.text),
+            _ => Symbols::default(),
+        };
+        self.analysis = Analysis {
+            symbols,
+            faults,
+            sources,
+        };
+        self.is_stale = false;
     }
 }
 
-type Checked = (Vec<Diagnostic>, Vec<Source>, Option<Model>);
+/// Errors of a text, the texts to which they refer, and the model if there is one.
+pub type Checked = (Vec<Diagnostic>, Vec<Source>, Option<Model>);
 
-fn checked(path: &str, text: &str) -> Checked {
+fn checked(path: &str, text: &str, open: &Open<'_>) -> Checked {
     let parsed = parse(path, text);
     let items = &parsed.file.items;
     let is_effect = |item: &ast::Item| matches!(item.kind, ItemKind::Effect(_));
     if !items.is_empty() && items.iter().all(is_effect) {
         return of_effect(path, text, parsed.diagnostics);
     }
-    match inspect_text(path, text, &[]) {
+    match inspect_open(path, text, open) {
         Ok(loaded) => (loaded.diagnostics, loaded.sources, loaded.model),
         Err(LoadError::Faults {
             diagnostics,

@@ -18,11 +18,12 @@ mod transport;
 mod uri;
 mod words;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, BufReader, Read, Write};
+use std::path::Path;
 
 use document::Document;
-use project::Project;
+use project::{Project, is_same_file};
 use serde_json::{Value, json};
 use transport::Incoming;
 
@@ -76,8 +77,12 @@ struct Server {
     state: State,
     said_shutdown: bool,
     documents: BTreeMap<String, Document>,
-    /// URIs of the texts whose errors are to be published.
-    changed: Vec<String>,
+    /// URIs of the texts that have changed, whose errors are to be published.
+    changed: BTreeSet<String>,
+    /// URIs of the texts whose errors may have changed with them.
+    touched: BTreeSet<String>,
+    /// Errors that were published last, by URI.
+    published: BTreeMap<String, Value>,
 }
 
 impl Server {
@@ -146,17 +151,13 @@ impl Server {
             }
             // A file that others include may have changed.
             "textDocument/didSave" => {
-                let others: Vec<String> = self.documents.keys().cloned().collect();
-                for uri in others {
-                    if let Some(document) = self.documents.get_mut(&uri) {
-                        document.forget();
-                    }
-                    self.publish_later(&uri);
-                }
+                self.documents.values_mut().for_each(Document::forget);
+                self.changed.extend(self.documents.keys().cloned());
             }
             "textDocument/didClose" => {
+                self.publish_later(uri);
                 self.documents.remove(uri);
-                self.changed.retain(|changed| changed != uri);
+                self.published.remove(uri);
                 return vec![published(json!({ "uri": uri, "diagnostics": [] }))];
             }
             _ => {}
@@ -164,20 +165,55 @@ impl Server {
         Vec::new()
     }
 
+    /// States that a text has changed, and with it those that are read together with it.
     fn publish_later(&mut self, uri: &str) {
-        if !self.changed.iter().any(|changed| changed == uri) {
-            self.changed.push(uri.to_owned());
+        self.changed.insert(uri.to_owned());
+        let together = project::together(&self.documents, uri);
+        for other in &together {
+            if let Some(document) = self.documents.get_mut(other) {
+                document.forget();
+            }
+        }
+        self.touched.extend(together);
+    }
+
+    /// Finds out what is not known yet about some texts.
+    fn analyse(&mut self, uris: &BTreeSet<String>) {
+        for uri in uris {
+            let all = &self.documents;
+            let open = |path: &Path| {
+                let path = path.to_string_lossy();
+                let mut open = all.values().filter(|own| is_same_file(&own.path, &path));
+                open.next().map(|own| own.text.clone())
+            };
+            let found = all.get(uri).filter(|own| own.is_stale());
+            let found = found.map(|own| own.check(&open));
+            if let (Some(found), Some(document)) = (found, self.documents.get_mut(uri)) {
+                document.learn(found);
+            }
         }
     }
 
-    /// Errors of the texts that have changed.
+    /// Errors of the texts that have changed, and of others if they differ from those published before.
     fn notices(&mut self) -> Vec<Value> {
         let changed = std::mem::take(&mut self.changed);
+        let mut touched = std::mem::take(&mut self.touched);
+        touched.extend(changed.iter().cloned());
+        self.analyse(&touched);
+        // What is included now is read with the text that includes it.
+        let now = changed.iter();
+        let now = now.flat_map(|uri| project::together(&self.documents, uri));
+        touched.extend(now);
+        touched.retain(|uri| self.documents.contains_key(uri));
+        self.analyse(&touched);
         let mut notices = Vec::new();
-        for uri in changed {
-            if let Some(document) = self.documents.get_mut(&uri) {
-                document.analyse();
-                notices.push(published(faults::published(document)));
+        for uri in touched {
+            let own = faults::published(&self.documents, &uri);
+            let before = self
+                .published
+                .insert(uri.clone(), own["diagnostics"].clone());
+            if changed.contains(&uri) || before.as_ref() != Some(&own["diagnostics"]) {
+                notices.push(published(own));
             }
         }
         notices
@@ -188,33 +224,34 @@ impl Server {
             .as_str()
             .unwrap_or_default();
         let is_of_text = method.starts_with("textDocument/");
-        let Some(document) = self.documents.get_mut(uri).filter(|_| is_of_text) else {
+        if !is_of_text || !self.documents.contains_key(uri) {
             return Err(if is_of_text {
                 (REQUEST_FAILED, format!("`{uri}` is not open"))
             } else {
                 (METHOD_NOT_FOUND, format!("there is no method `{method}`"))
             });
-        };
-        document.analyse();
+        }
+        self.analyse(&project::together(&self.documents, uri));
         let position = &parameters["position"];
-        let (document, project) = (&self.documents[uri], || Project::of(&self.documents, uri));
+        let (all, document) = (&self.documents, &self.documents[uri]);
+        let project = || Project::of(all, uri);
         Ok(match method {
             "textDocument/hover" => hover::hover(document, position),
             "textDocument/definition" => names::definition(document, &project(), position),
             "textDocument/references" => {
                 let declaration = &parameters["context"]["includeDeclaration"];
-                names::references(&project(), position, declaration.as_bool().unwrap_or(true))
+                names::references(all, uri, position, declaration.as_bool().unwrap_or(true))
             }
-            "textDocument/documentHighlight" => names::highlights(document, &project(), position),
+            "textDocument/documentHighlight" => names::highlights(all, uri, position),
             "textDocument/prepareRename" => names::renamed_range(&project(), position),
             "textDocument/rename" => {
                 let name = parameters["newName"].as_str().unwrap_or_default();
-                return names::rename(&project(), position, name)
+                return names::rename(all, uri, position, name)
                     .map_err(|reason| (REQUEST_FAILED, reason));
             }
             "textDocument/documentSymbol" => names::outline(document),
             "textDocument/completion" => completion::complete(document, &project(), position),
-            "textDocument/codeAction" => faults::actions(document, &parameters["range"]),
+            "textDocument/codeAction" => faults::actions(all, uri, &parameters["range"]),
             "textDocument/formatting" => layout::formatting(document),
             "textDocument/inlayHint" => layout::hints(document, &parameters["range"]),
             "textDocument/semanticTokens/full" => layout::colours(document),

@@ -1,6 +1,6 @@
 //! Where names are declared and used, and other names for them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use model_spec::diagnostic::Source;
 use model_spec::symbols::{SymbolKind, Symbols, WordKind};
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::document::Document;
 use super::includes;
 use super::positions::Lines;
-use super::project::Project;
+use super::project::{self, Project};
 use super::uri;
 
 /// Result of `textDocument/definition`.
@@ -44,24 +44,66 @@ fn elsewhere(document: &Document, name: &str) -> Value {
     Value::Null
 }
 
-/// Result of `textDocument/references`, in all files of the model.
-pub fn references(project: &Project<'_>, position: &Value, with_declaration: bool) -> Value {
-    let symbols = &project.symbols;
-    let Some(own) = symbols.declaration_at(project.offset(position)) else {
+/// A place where a name stands, and whether that is its declaration.
+type Found = (Value, bool);
+
+/// Where the name at a position of a file stands, in all models that have one of these places.
+fn everywhere(
+    documents: &BTreeMap<String, Document>,
+    uri: &str,
+    position: &Value,
+    mut check: impl FnMut(&Symbols, usize) -> Result<(), String>,
+) -> Result<Vec<Found>, String> {
+    let mut found: Vec<Found> = Vec::new();
+    let (mut roots, mut files) = (BTreeSet::new(), BTreeSet::from([uri.to_owned()]));
+    let mut open = vec![(uri.to_owned(), position.clone())];
+    while let Some((uri, position)) = open.pop() {
+        for root in project::roots(documents, &uri) {
+            if !roots.insert(&root.uri) {
+                continue;
+            }
+            let project = Project::within(root, documents, &uri);
+            let symbols = &project.symbols;
+            let Some(own) = symbols.declaration_at(project.offset(&position)) else {
+                continue;
+            };
+            check(symbols, own)?;
+            for range in symbols.occurrences(own) {
+                let is_declaration = range == symbols.declarations[own].range;
+                let location = project.location(range);
+                let uri = location["uri"].as_str().unwrap_or_default().to_owned();
+                if files.insert(uri.clone()) {
+                    open.push((uri, location["range"]["start"].clone()));
+                }
+                if !found.iter().any(|(known, _)| *known == location) {
+                    found.push((location, is_declaration));
+                }
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Result of `textDocument/references`, in all files of the models.
+pub fn references(
+    documents: &BTreeMap<String, Document>,
+    uri: &str,
+    position: &Value,
+    with_declaration: bool,
+) -> Value {
+    let found = everywhere(documents, uri, position, |_, _| Ok(())).unwrap_or_default();
+    if found.is_empty() {
         return Value::Null;
-    };
-    let declared = &symbols.declarations[own].range;
-    let ranges = symbols
-        .occurrences(own)
-        .filter(|range| with_declaration || range != declared);
-    ranges.map(|range| project.location(range)).collect()
+    }
+    let shown = found.into_iter().filter(|own| with_declaration || !own.1);
+    shown.map(|(location, _)| location).collect()
 }
 
 /// Result of `textDocument/documentHighlight`.
-pub fn highlights(document: &Document, project: &Project<'_>, position: &Value) -> Value {
-    let found = references(project, position, true);
+pub fn highlights(documents: &BTreeMap<String, Document>, uri: &str, position: &Value) -> Value {
+    let found = references(documents, uri, position, true);
     let own = found.as_array().into_iter().flatten();
-    let own = own.filter(|location| location["uri"] == document.uri.as_str());
+    let own = own.filter(|location| location["uri"] == uri);
     own.map(|location| json!({ "range": location["range"] }))
         .collect()
 }
@@ -75,21 +117,23 @@ pub fn renamed_range(project: &Project<'_>, position: &Value) -> Value {
     }
 }
 
-/// Result of `textDocument/rename`, in all files of the model.
+/// Result of `textDocument/rename`, in all files of the models.
 ///
 /// # Errors
 /// Why the name cannot be changed so.
-pub fn rename(project: &Project<'_>, position: &Value, name: &str) -> Result<Value, String> {
-    let symbols = &project.symbols;
-    let own = symbols.declaration_at(project.offset(position));
-    let own = own
-        .ok_or_else(|| "neither this file nor one of its model declares such a name".to_owned())?;
-    if let Some(reason) = symbols.refusal(own, name) {
-        return Err(reason);
+pub fn rename(
+    documents: &BTreeMap<String, Document>,
+    uri: &str,
+    position: &Value,
+    name: &str,
+) -> Result<Value, String> {
+    let refusal = |symbols: &Symbols, own| symbols.refusal(own, name).map_or(Ok(()), Err);
+    let found = everywhere(documents, uri, position, refusal)?;
+    if found.is_empty() {
+        return Err("neither this file nor one of its model declares such a name".to_owned());
     }
     let mut changes: BTreeMap<String, Vec<Value>> = BTreeMap::new();
-    for range in symbols.occurrences(own) {
-        let location = project.location(range);
+    for (location, _) in found {
         let uri = location["uri"].as_str().unwrap_or_default().to_owned();
         let edit = json!({ "range": location["range"], "newText": name });
         changes.entry(uri).or_default().push(edit);

@@ -1,6 +1,6 @@
 //! The files of one model: an open text with what it includes, or the open text that includes it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::Path;
 
@@ -37,12 +37,18 @@ pub struct Project<'a> {
 }
 
 impl<'a> Project<'a> {
-    /// The model to which an open text belongs.
+    /// The first of the models to which a file belongs.
     pub fn of(documents: &'a BTreeMap<String, Document>, uri: &str) -> Project<'a> {
-        let asked = &documents[uri];
-        let includes =
-            |other: &&Document| included(other).any(|path| is_same_file(path, &asked.path));
-        let root = documents.values().find(includes).unwrap_or(asked);
+        let root = roots(documents, uri).into_iter().next();
+        Project::within(root.unwrap_or(&documents[uri]), documents, uri)
+    }
+
+    /// The model of an open text, asked about a file of it.
+    pub fn within(
+        root: &'a Document,
+        documents: &'a BTreeMap<String, Document>,
+        uri: &str,
+    ) -> Project<'a> {
         let mut texts = vec![(root.uri.clone(), root.text.clone())];
         for source in root.known().sources.iter().skip(1) {
             if !Path::new(&source.name).is_file() {
@@ -105,13 +111,48 @@ impl<'a> Project<'a> {
     }
 }
 
+/// Open texts whose models a file belongs to: those that include it and that none includes, else its own.
+pub fn roots<'a>(documents: &'a BTreeMap<String, Document>, uri: &str) -> Vec<&'a Document> {
+    let path = uri::path(uri);
+    let includes = |path: &str| {
+        let all = documents
+            .values()
+            .filter(|own| !is_same_file(&own.path, path));
+        all.filter(|own| included(own).any(|other| is_same_file(other, path)))
+            .collect()
+    };
+    let mut roots: Vec<&Document> = includes(&path);
+    roots.retain(|root| includes(&root.path).is_empty());
+    if roots.is_empty() {
+        roots.extend(documents.get(uri));
+    }
+    roots
+}
+
+/// Open texts that are read together with a file: its roots, and what these include.
+pub fn together(documents: &BTreeMap<String, Document>, uri: &str) -> BTreeSet<String> {
+    let mut all = BTreeSet::from([uri.to_owned()]);
+    for root in roots(documents, uri) {
+        let is_part = |own: &&Document| included(root).any(|path| is_same_file(path, &own.path));
+        all.extend(
+            documents
+                .values()
+                .filter(is_part)
+                .map(|own| own.uri.clone()),
+        );
+        all.insert(root.uri.clone());
+    }
+    all
+}
+
 /// Paths of the files that a text includes.
 fn included(document: &Document) -> impl Iterator<Item = &str> {
     let sources = document.known().sources.iter().skip(1);
     sources.map(|source| source.name.as_str())
 }
 
-fn is_same_file(a: &str, b: &str) -> bool {
+/// Whether two paths lead to one file.
+pub fn is_same_file(a: &str, b: &str) -> bool {
     if a == b {
         return true;
     }

@@ -6,7 +6,7 @@ use crate::latex;
 use crate::layout::{Layout, is_unlisted};
 use model_spec::diagnostic::Span;
 use model_spec::location::line_of;
-use model_spec::model::{AuxVariable, Load, Model};
+use model_spec::model::{AuxVariable, Expr, ExprKind, Load, Model};
 use model_spec::nearest_name;
 
 /// Quantity found by name: label, source location, formula, and the names and graph nodes of its components.
@@ -91,6 +91,8 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, Exp
     let (place, line) = source(model, span, end);
     let latex = match &meaning {
         Meaning::Component(..) => None,
+        // Equations of a block determine it.
+        _ if is_unknown(model, &meaning) => None,
         _ => latex::definition(model, &label),
     };
     let (names, nodes): (Vec<String>, Vec<NodeId>) = parts.into_iter().unzip();
@@ -105,6 +107,29 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, Exp
         symbols,
         nodes,
         compiler,
+    })
+}
+
+/// Whether a quantity is an unknown of a block `solve`, which no statement defines.
+fn is_unknown(model: &Model, meaning: &Meaning<'_>) -> bool {
+    let value = match meaning {
+        Meaning::Let(own) => Some(&own.value),
+        Meaning::Rate(k) => {
+            let mut equations = model.equations.iter();
+            let value = equations
+                .find(|own| own.state == *k)
+                .map(|own| &own.value.kind);
+            match value {
+                Some(ExprKind::AuxVariable(i)) => Some(&model.aux_variables[*i].value),
+                _ => None,
+            }
+        }
+        _ => None,
+    };
+    let is_leaf = |e: &Expr| matches!(e.kind, ExprKind::Unknown(..));
+    value.is_some_and(|value| match &value.kind {
+        ExprKind::Components(parts) => parts.iter().all(is_leaf),
+        _ => is_leaf(value),
     })
 }
 

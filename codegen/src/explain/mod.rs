@@ -13,6 +13,7 @@ pub use find::ExplainError;
 
 use crate::count::Count;
 use model_spec::model::Model;
+use model_spec::syntax::spelling::joined;
 use std::fmt;
 
 /// Explanation of a quantity of a model or of its derivative: source, formulas, generated code and operation counts.
@@ -48,7 +49,9 @@ pub fn explain(
     quantity: &str,
     wrt: Option<&str>,
 ) -> Result<Explanation, ExplainError> {
-    let found = find::quantity(model, quantity)?;
+    let (quantity, wrt) = (joined(quantity), wrt.map(joined));
+    let wrt = wrt.as_deref();
+    let found = find::quantity(model, &quantity)?;
     let symbol = wrt.map(|wrt| find::symbol(model, wrt)).transpose()?;
     let by = symbol.zip(wrt);
     let made = code::generate(&found, by);

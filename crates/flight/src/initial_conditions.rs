@@ -168,6 +168,13 @@ impl Vocabulary {
         Ok(Vocabulary::of(&composed))
     }
 
+    /// Whether the model computes this parameter from others.
+    pub fn is_computed(&self, name: &str) -> bool {
+        self.model
+            .as_ref()
+            .is_some_and(|model| model.is_computed(name))
+    }
+
     /// Collects the names and bounds that a model defines and that its release files may use.
     pub fn of(model: &Model) -> Vocabulary {
         let name = |c: &Parameter| Name {

@@ -111,6 +111,11 @@ impl Checker<'_> {
         };
         let (body_frame, angular) = (rotation.body_frame, rotation.angular_velocity);
         let chain = self.chain(body_frame);
+        // What turns such a frame has been reported.
+        let is_faulty = |i: &usize| *i > 0 && self.model.frames[*i].kind == FrameKind::Inertial;
+        if chain.iter().any(is_faulty) {
+            return;
+        }
         let name = |i: usize| self.model.frames[i].name.clone();
         let is_fixed = |i: &usize| matches!(self.model.frames[*i].kind, FrameKind::Fixed { .. });
         if let Some(&fixed) = chain.iter().rev().find(|i| is_fixed(i)) {
@@ -131,7 +136,8 @@ impl Checker<'_> {
             _ => false,
         };
         let mut frames = 1..self.model.frames.len();
-        let is_loose = |i: &usize| !chain.contains(i) && !is_fixed(i) && !is_stated(i);
+        let is_loose =
+            |i: &usize| !chain.contains(i) && !is_fixed(i) && !is_stated(i) && !is_faulty(i);
         if let Some(loose) = frames.find(is_loose) {
             let message = format!(
                 "nothing determines how the frame {} moves: it does not lie between {} and the body's frame {}",

@@ -35,7 +35,7 @@ impl<'a> Checker<'a> {
             .velocity
             .and_then(|(_, frame, _)| self.frame_of(frame));
 
-        // A frame that is turned by declared states is not of this body.
+        // A frame that is turned by what is declared elsewhere is not of this body.
         let stated: HashSet<&str> = of_kind!(self.file.items.iter(), ItemKind::State)
             .map(|own| own.name.text.as_str())
             .collect();
@@ -43,7 +43,11 @@ impl<'a> Checker<'a> {
             .filter(|frame| match &frame.kind {
                 ast::FrameKind::Inertial => false,
                 ast::FrameKind::Fixed { .. } => true,
-                ast::FrameKind::Turned { angle, .. } => !stated.contains(angle.text.as_str()),
+                ast::FrameKind::Turned { angle, .. } => {
+                    let name = angle.text.as_str();
+                    let is_declared = self.scope.find(name).is_some();
+                    !is_declared && !stated.contains(name) && self.file.binding(name).is_none()
+                }
                 ast::FrameKind::Quaternion { states, .. } => {
                     !stated.contains(states[0].text.as_str())
                 }
@@ -51,7 +55,7 @@ impl<'a> Checker<'a> {
             .collect();
         for frame in frames.iter().filter(|_| rigid) {
             match &frame.kind {
-                ast::FrameKind::Turned { angle, .. } if self.constant_angle(angle).is_none() => {
+                ast::FrameKind::Turned { angle, .. } => {
                     self.state(&angle.text, angle.span, Unit::RADIAN, 0.0);
                 }
                 ast::FrameKind::Quaternion { states, .. } => {
@@ -64,9 +68,7 @@ impl<'a> Checker<'a> {
             }
         }
         for frame in frames.iter().filter(|_| rigid) {
-            if let ast::FrameKind::Turned { angle, .. } = &frame.kind
-                && self.constant_angle(angle).is_none()
-            {
+            if let ast::FrameKind::Turned { angle, .. } = &frame.kind {
                 self.state(&format!("{}dot", angle.text), angle.span, Unit::RATE, 0.0);
             }
         }
@@ -94,11 +96,7 @@ impl<'a> Checker<'a> {
             })
         } else {
             let moving = |f: &&&ast::Frame| {
-                let is_constant = match &f.kind {
-                    ast::FrameKind::Fixed { .. } => true,
-                    ast::FrameKind::Turned { angle, .. } => self.constant_angle(angle).is_some(),
-                    _ => false,
-                };
+                let is_constant = matches!(f.kind, ast::FrameKind::Fixed { .. });
                 // Errors of the first frame and duplicate names have already been reported.
                 !is_constant
                     && self
@@ -244,10 +242,14 @@ impl<'a> Checker<'a> {
                 "{what} must not change during a flight, but `{}` does",
                 self.text(culprit)
             );
-            return self.refuse(
-                Diagnostic::new(Kind::Value, e.span, message)
-                    .help("use parameters and coefficients only"),
-            );
+            let help = match self.declared_body.is_some() && !signed {
+                true => {
+                    "use parameters and coefficients only; where it changes, state the equations outright, in a block \
+                     `solve { … }`"
+                }
+                false => "use parameters and coefficients only",
+            };
+            return self.refuse(Diagnostic::new(Kind::Value, e.span, message).help(help));
         }
         if !signed
             && let Some(value) = self.value(&typed.expr)

@@ -3,7 +3,7 @@
 use super::elaborate::node;
 use super::solve::occurring;
 use super::term::Term;
-use super::{Checker, Typed};
+use super::{Checker, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::model::{self, Expr, ExprKind, Function, Shape, ValidityLimit};
 use crate::syntax::ast::{self, ItemKind};
@@ -33,14 +33,17 @@ impl<'a> Checker<'a> {
         }
         let measure = self.measure_or_one(within.unit.as_ref())?;
         let (tolerance, _) = measure.of(&within.number);
-        let rule = format!("`{within}` is the tolerance of a constraint that");
         let text = self.text(span);
-        let term = Term::known(measure.unit);
-        self.must_be(
-            &deviation,
-            &term,
-            &format!("{rule} must be {}", self.described(&term)),
-        );
+        if let UnitOf::Term(sides) = &deviation.unit {
+            let of = UnitOf::Term(Term::known(measure.unit));
+            let (value, exact) = (tolerance, None);
+            let kind = ExprKind::Number { value, exact };
+            let rule = format!(
+                "the tolerance must be {}, as the sides of the constraint are",
+                self.described(sides)
+            );
+            self.must_be(&Typed::scalar(kind, within.span, of), sides, &rule);
+        }
         let mut orders = vec![deviation];
         while occurring(&orders.last()?.expr, *system, known).is_empty() {
             if orders.len() > MAX_REDUCTION {

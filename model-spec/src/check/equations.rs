@@ -172,9 +172,13 @@ impl<'a> Checker<'a> {
             let made = model::Equation { state, value, span };
             equations[state].get_or_insert((span, Some(made)));
         }
-        let states = self.model.states.iter().zip(&equations).skip(self.of_body);
-        let missing = states.filter(|(_, equation)| equation.is_none());
-        let missing: Vec<&model::State> = missing.map(|(state, _)| state).collect();
+        let states = self.model.states.iter().enumerate().skip(self.of_body);
+        // A state whose name is taken has been reported.
+        let is_own = |(index, state): &(usize, &model::State)| {
+            self.scope.find(&state.name) == Some(Symbol::State(*index))
+        };
+        let missing = states.filter(|own| equations[own.0].is_none() && is_own(own));
+        let missing: Vec<&model::State> = missing.map(|(_, state)| state).collect();
         if let Some(first) = missing.first() {
             let have = if missing.len() > 1 {
                 "have no equations"

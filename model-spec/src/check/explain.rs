@@ -252,7 +252,8 @@ impl Checker<'_> {
         let inverse = excess.checked_powi(-1)?;
         let params = self.model.params.iter().zip(&self.params);
         for (param, term) in params {
-            if has(term, excess) {
+            // A quantity over itself is 1, whatever it is.
+            if has(term, excess) && param.name != text {
                 return Some(format!(
                     "divided by `{}` ({}) it would agree: `{}`",
                     param.name,

@@ -27,7 +27,9 @@ impl<'a> Checker<'a> {
             let index = self.model.frames.len();
             let parent = match &frame.kind {
                 ast::FrameKind::Inertial => {
-                    if let Some(first) = inertial {
+                    if let Some(first) = inertial
+                        && self.scope.frame(&frame.name.text).is_none()
+                    {
                         let message =
                             format!("`{}` would be a second inertial frame", frame.name.text);
                         let fault = Diagnostic::new(Kind::Frame, frame.name.span, message)
@@ -142,6 +144,14 @@ impl<'a> Checker<'a> {
 
     fn turned(&mut self, parent: &Name, angle: &Name, axis: u8) -> Option<FrameKind> {
         let parent = self.scope.frame(&parent.text)?;
+        if let Some(computed) = self.file.binding(&angle.text) {
+            let message = format!("`{}` turns a frame, but it is computed", angle.text);
+            let fault = Diagnostic::new(Kind::Frame, angle.span, message)
+                .label(computed.name.span, "computed here");
+            return self.refuse(fault.help(
+                "turn the frame by a state, a number, or a `param` or `coefficient` with a number of its own",
+            ));
+        }
         if let Some(constant) = self.constant_angle(angle) {
             let term = match constant {
                 ConstantAngle::Param(index) if self.model.params[index].varies => {
@@ -156,12 +166,17 @@ impl<'a> Checker<'a> {
                 ConstantAngle::Coefficient(index) => self.coefficients[index].clone(),
                 ConstantAngle::Number(_) => Term::one(),
             };
-            self.is_angle(angle, &term);
-            return Some(FrameKind::Fixed {
+            return self.is_angle(angle, &term).then_some(FrameKind::Fixed {
                 parent,
                 angle: constant,
                 axis,
             });
+        }
+        if let Some(symbol) = self.scope.find(&angle.text)
+            && !matches!(symbol, Symbol::State(_))
+        {
+            self.no_state(angle);
+            return None;
         }
         let state = self.frame_state(angle)?;
         let rate = match self.scope.find(&format!("{}dot", angle.text)) {
@@ -195,12 +210,11 @@ impl<'a> Checker<'a> {
             return None;
         };
         let term = self.states[index].clone();
-        self.is_angle(name, &term);
-        Some(index)
+        self.is_angle(name, &term).then_some(index)
     }
 
-    /// Reports a name that turns a frame if its unit is not that of an angle.
-    fn is_angle(&mut self, name: &Name, term: &Term) {
+    /// Whether the unit of a name that turns a frame is that of an angle; reports another one.
+    fn is_angle(&mut self, name: &Name, term: &Term) -> bool {
         if let Some(unit) = self.units.resolve(term).unit()
             && !unit.is_pure()
         {
@@ -214,10 +228,16 @@ impl<'a> Checker<'a> {
                 fault = fault.label(declared, format!("in {}", unit.explained()));
             }
             self.report(fault);
+            return false;
         }
+        true
     }
 
     pub fn no_state(&mut self, name: &Name) {
+        // A state whose name is taken has been reported.
+        if self.model.states.iter().any(|own| own.name == name.text) {
+            return;
+        }
         // Errors that are not shown need no suggestions.
         let is_shown = self.diagnostics.len() < MAX_SHOWN;
         let count = if is_shown { usize::MAX } else { 0 };

@@ -186,6 +186,10 @@ impl<'a> Checker<'a> {
             let should = self.described(&term);
             self.must_be(typed, &term, &format!("{what} must be {should}"));
         }
+        // Of two parameters with one name, nobody can tell which is meant.
+        if self.declared_function(function).is_some_and(has_doubled) {
+            self.diagnostics.truncate(earlier);
+        }
         if let Some(parameter) = &ascription.parameter {
             let text = format!("`{}{}` is declared here", parameter.text, ascription.of);
             for fault in &mut self.diagnostics[earlier..] {
@@ -292,6 +296,14 @@ impl<'a> Checker<'a> {
         faults.retain(|fault| seen.insert((fault.span, fault.message.clone())));
         faults
     }
+}
+
+/// Whether two parameters of a function have one name.
+fn has_doubled(function: &ast::Function) -> bool {
+    let mut all = function.parameters.iter().enumerate();
+    all.any(|(k, own)| {
+        { function.parameters[..k].iter() }.any(|other| other.name.text == own.name.text)
+    })
 }
 
 fn contains(outer: Span, inner: Span) -> bool {

@@ -157,6 +157,17 @@ impl Checker<'_> {
             fault = fault.help(format!(
                 "its axes are `{name}.1`, `{name}.2` and `{name}.3`"
             ));
+        } else if self.scope.has_function(name)
+            || self.scope.table(name).is_some()
+            || super::function_names().any(|own| own == name)
+        {
+            let what = if self.scope.table(name).is_some() {
+                "table"
+            } else {
+                "function"
+            };
+            fault.message = format!("`{name}` is a {what}, not a quantity");
+            fault = fault.help(format!("call it: `{name}(…)`"));
         } else if let Some(near) = suggest::nearest(name, self.declared_names()) {
             let near = near.to_owned();
             fault = fault.suggest(&near);
@@ -255,7 +266,11 @@ impl Checker<'_> {
                 "`der({})` follows from the forces and cannot be used here",
                 state.text
             );
-            return self.refuse(Diagnostic::new(Kind::Cycle, span, message));
+            let fault = Diagnostic::new(Kind::Cycle, span, message);
+            return self.refuse(fault.help(
+                "the derivative of a position is a component of `velocity`; what a sensor feels is made of \
+                 `specific_force` and `angular_acceleration`",
+            ));
         }
         let Some(Symbol::State(i)) = found else {
             self.no_state(state);

@@ -11,7 +11,7 @@ pub struct SingularPoint {
     pub span: Span,
     /// Source text of the subexpression that is not differentiable at the point.
     pub text: String,
-    /// Behaviour at the singular point and condition under which it occurs, such as `derivative 0 where … is 0`.
+    /// Behaviour at the singular point and condition under which it occurs, such as `has derivative 0 where … is 0`.
     pub what: String,
 }
 
@@ -382,31 +382,33 @@ pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
     let signs = Signs::new(model);
     let text = |e: &Expr| crate::syntax::token::clip(&model.text(e.span));
     let may_vanish = |e: &Expr| signs.of(e) != Sign::Positive;
-    let of_root = |e: &Expr| format!("0 with derivative 0 where `{}` is 0 or less", text(e));
+    let of_root = |e: &Expr| format!("is 0 with derivative 0 where `{}` is 0 or less", text(e));
     let mut points: Vec<SingularPoint> = Vec::new();
     for root in model.expressions() {
         root.walk(&mut |e| {
             let what = match &e.kind {
-                K::Norm(a) => format!("0 with derivative 0 where `{}` is zero", text(a)),
+                K::Norm(a) => format!("is 0 with derivative 0 where `{}` is zero", text(a)),
                 K::Direction(a, Some(other)) => {
-                    format!("`{}` where `{}` is zero", text(other), text(a))
+                    format!("is `{}` where `{}` is zero", text(other), text(a))
                 }
-                K::Direction(a, None) => format!("the zero vector where `{}` is zero", text(a)),
+                K::Direction(a, None) => format!("is the zero vector where `{}` is zero", text(a)),
                 K::Atan2(y, x) => {
                     let (y, x) = (text(y), text(x));
-                    format!("0 with derivative 0 where `{y}` and `{x}` are both 0")
+                    format!("is 0 with derivative 0 where `{y}` and `{x}` are both 0")
                 }
                 K::Ratio(parts) => {
-                    format!("`{}` where `{}` is 0", text(&parts[2]), text(&parts[1]))
+                    format!("is `{}` where `{}` is 0", text(&parts[2]), text(&parts[1]))
                 }
                 K::Call(Function::Sqrt | Function::Log, a) if may_vanish(a) => of_root(a),
                 K::Pow(a, doubled) if doubled % 2 != 0 && may_vanish(a) => of_root(a),
                 K::RealPower(a, _) if may_vanish(a) => of_root(a),
                 K::Call(Function::Asin | Function::Acos, a) => {
                     let a = text(a);
-                    format!("`{a}` is held within -1 .. 1, with derivative 0 beyond")
+                    format!("holds `{a}` within -1 .. 1, with derivative 0 beyond")
                 }
-                K::Call(Function::Abs, a) => format!("derivative 0 where `{}` is 0", text(a)),
+                // The text of a constraint has no `abs`.
+                K::Call(Function::Abs, a) if a.span == e.span => return,
+                K::Call(Function::Abs, a) => format!("has derivative 0 where `{}` is 0", text(a)),
                 K::Call(Function::Sign | Function::Step, a) => {
                     format!("jumps, with derivative 0, where `{}` passes 0", text(a))
                 }
@@ -414,12 +416,12 @@ pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
                     if model.tables[*index].interpolation == Interpolation::Linear =>
                 {
                     format!(
-                        "a kink at each knot of the table `{}`",
+                        "has a kink at each knot of the table `{}`",
                         model.tables[*index].name
                     )
                 }
                 K::Min(a, b) | K::Max(a, b) => {
-                    format!("a kink where `{}` equals `{}`", text(a), text(b))
+                    format!("has a kink where `{}` equals `{}`", text(a), text(b))
                 }
                 _ => return,
             };

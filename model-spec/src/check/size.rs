@@ -39,6 +39,8 @@ const OF_PRODUCT: u64 = 3;
 struct Sizes {
     variables: Vec<Size>,
     operations: u64,
+    /// Those of derivatives of expressions among them.
+    of_rates: u64,
     /// Number of frames, an upper bound of the number of rotations in a change of frame.
     frames: u64,
 }
@@ -49,6 +51,7 @@ impl Checker<'_> {
         let mut sizes = Sizes {
             variables: Vec::with_capacity(model.aux_variables.len()),
             operations: 0,
+            of_rates: 0,
             frames: model.frames.len() as u64,
         };
         for variable in &model.aux_variables {
@@ -87,12 +90,23 @@ impl Sizes {
             return Some(Diagnostic::new(Kind::Limit, span, message).note(help));
         }
         (self.operations > MAX_OPERATIONS).then(|| {
+            // That of a block has its own marks.
+            let name = name.trim_matches('`');
             let message = format!(
                 "with `{name}` the model has {} operations; at most {MAX_OPERATIONS} are possible",
                 shown(self.operations)
             );
-            Diagnostic::new(Kind::Limit, span, message)
-                .note("sums of sums count each of their terms, vectors each of their components")
+            let help = match self.of_rates > self.operations / 2 {
+                true => {
+                    "differentiate fewer and shorter expressions: bodies that `constraint`s hold together need fewer \
+                     operations than one Lagrangian"
+                }
+                false => "write fewer and shorter sums, or leave parts of the model out",
+            };
+            Diagnostic::new(Kind::Limit, span, message).help(help).note(
+                "sums of sums count each of their terms, vectors each of their components, `der(…)` each operation of \
+                 what it differentiates",
+            )
         })
     }
 
@@ -146,6 +160,7 @@ impl Sizes {
                 let terms = a.terms.saturating_mul(a.factors.max(1));
                 let of_each = a.factors.max(OF_PRODUCT);
                 let own = a.operations.max(1).saturating_mul(of_each);
+                self.of_rates = self.of_rates.saturating_add(own);
                 (own, Size::of(terms, factors))
             }
             // By the laws of motion: a sum of loads over an inertia, in another frame.

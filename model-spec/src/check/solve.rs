@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use super::elaborate::node;
 use super::scope::Symbol;
 use super::{Checker, Typed, UnitOf};
-use crate::diagnostic::{Diagnostic, Kind};
+use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{self, Expr, ExprKind, LinearSystem, Shape, Unknown};
 use crate::syntax::ast::{self, ItemKind, Solve};
 
@@ -88,6 +88,13 @@ impl<'a> Checker<'a> {
         let blocks = self.blocks();
         if blocks.is_empty() {
             return;
+        }
+        let mut names: HashMap<&str, Span> = HashMap::new();
+        for name in blocks.iter().filter_map(|(_, block)| block.name.as_ref()) {
+            match names.get(&*name.text) {
+                Some(first) => self.second(&format!("solve {}", name.text), *first, name.span),
+                None => drop(names.insert(&name.text, name.span)),
+            }
         }
         let defined = Defined::of(self.file);
         let used: Vec<Vec<(String, bool)>> = { blocks.iter() }
@@ -243,7 +250,7 @@ impl<'a> Checker<'a> {
     }
 
     /// The auxiliary variable with this index, as an expression.
-    pub fn unknown(&self, index: usize, span: crate::diagnostic::Span) -> Typed {
+    pub fn unknown(&self, index: usize, span: Span) -> Typed {
         let shape = self.model.aux_variables[index].value.shape;
         let unit = self.let_units[index].clone();
         Typed::new(ExprKind::AuxVariable(index), shape, span, unit)
@@ -293,6 +300,14 @@ impl<'a> Checker<'a> {
                 continue;
             };
             let [own, later] = [system, other].map(|index| &self.model.systems[index]);
+            // Blocks in a circle have been reported.
+            let is_cycle = |fault: &Diagnostic| {
+                let mut labels = fault.labels.iter();
+                fault.kind == Kind::Cycle && labels.any(|label| label.span == own.span)
+            };
+            if self.diagnostics.iter().any(is_cycle) {
+                return true;
+            }
             let message = format!(
                 "the equations of {} have `{}`, which {} determines",
                 own.title, later.unknowns[found].name, later.title

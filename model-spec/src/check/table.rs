@@ -163,8 +163,9 @@ impl Checker<'_> {
         let name = &table.text;
         if !(MIN_KNOTS..=MAX_KNOTS).contains(&written.len()) {
             let message = format!(
-                "the table `{name}` has {} knots{of_argument}, but must have from {MIN_KNOTS} to {MAX_KNOTS}",
-                written.len()
+                "the table `{name}` has {} knot{}{of_argument}, but must have from {MIN_KNOTS} to {MAX_KNOTS}",
+                written.len(),
+                if written.len() == 1 { "" } else { "s" }
             );
             return self.refuse(Diagnostic::new(Kind::Value, table.span, message));
         }

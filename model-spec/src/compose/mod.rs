@@ -33,7 +33,7 @@ mod values;
 use crate::check::{self, Checked};
 use crate::diagnostic::{self, Diagnostic, Kind, Source};
 use crate::effect;
-use crate::files::{self, Complete};
+use crate::files::{self, Complete, Open};
 use crate::model::Model;
 use crate::read::{BODIES, LoadError, MODELS, REFUTED, find, read};
 use crate::syntax::ast::{File, ItemKind};
@@ -82,11 +82,20 @@ impl ModelTree {
 
     /// Parses a model. Returns the tree without the statements that have syntax errors, and the errors.
     pub(crate) fn parse_with_faults(name: &str, text: &str) -> (ModelTree, Vec<Diagnostic>) {
+        ModelTree::parse_open(name, text, &|_| None)
+    }
+
+    /// Parses a model as [`ModelTree::parse_with_faults`] does; texts of files that are `open` count in their place.
+    pub(crate) fn parse_open(
+        name: &str,
+        text: &str,
+        open: &Open<'_>,
+    ) -> (ModelTree, Vec<Diagnostic>) {
         let Complete {
             file,
             sources,
             diagnostics,
-        } = files::parse(name, text, 0);
+        } = files::parse_with(name, text, 0, open);
         let tree = ModelTree {
             file: Arc::new(file),
             sources,

@@ -10,6 +10,7 @@ use crate::read::LoadError;
 use crate::syntax::ast::{
     Check, CheckPart, File, Input, ItemKind, Name, Number, Parameter, Quantity, UnitExpr,
 };
+use crate::syntax::spelling::joined;
 
 use crate::unit::Unit;
 
@@ -69,10 +70,10 @@ impl ModelTree {
                 let name = name.to_owned();
                 return Err(ValueError::NotFinite { name, value });
             }
-            let before =
-                replace(&mut file, &model, name, value).ok_or_else(|| ValueError::UnknownName {
-                    name: name.to_owned(),
-                })?;
+            let before = replace(&mut file, &model, &joined(name), value);
+            let before = before.ok_or_else(|| ValueError::UnknownName {
+                name: name.to_owned(),
+            })?;
             replaced.extend(before);
         }
         for item in &mut file.items {

@@ -6,6 +6,7 @@
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::location::Span;
 use crate::syntax::ast::Quantity;
+use crate::syntax::quantity::beyond_range;
 
 /// Maximum number of lines and of fields in a line: beyond the bounds of a table, whose errors say more.
 const MAX_COUNT: usize = 20_000;
@@ -84,6 +85,13 @@ fn lines(text: &str, source: u16) -> Result<Vec<Vec<Field<'_>>>, Diagnostic> {
 
 fn number(field: Field<'_>) -> Result<Quantity, Diagnostic> {
     match field.text.parse::<f64>() {
+        Ok(value)
+            if value == 0.0
+                && let Some((what, bound)) = beyond_range(field.text) =>
+        {
+            let message = format!("the number {} is too {what}", field.text);
+            Err(Diagnostic::new(Kind::Value, field.span, message).note(bound))
+        }
         Ok(value) if value.is_finite() => Ok(Quantity::new(format!("{value:?}"), None, field.span)),
         _ => Err(wrong(field.span, field.text)),
     }

@@ -204,6 +204,12 @@ impl Model {
         all
     }
 
+    /// Whether the model has a parameter of this name that is computed from others and cannot be set.
+    pub fn is_computed(&self, name: &str) -> bool {
+        let own = self.tree.binding(name);
+        own.is_some_and(|own| own.is_constant)
+    }
+
     /// Source text of a span, with each run of whitespace replaced by one space; empty if the span is invalid.
     pub fn text(&self, span: Span) -> String {
         let source = self.sources.get(usize::from(span.source));

@@ -71,7 +71,6 @@ impl Scanner<'_> {
                 text == INCH && !quantity && matches!(scanner.token(at + 1), Token::Sign(_));
             let is_word = FOLLOWING.contains(&text) && !is_inch;
             scanner.token(at) == Token::Name
-                && !scanner.tokens[at].first
                 && !is_word
                 && scanner.text(at + 1) != "("
                 && symbol::find(text).is_some()

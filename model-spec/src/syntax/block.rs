@@ -5,8 +5,9 @@ use super::ast::{
     Inertia, InitialValues, Interpolation, ItemKind, Name, Quantity, Table, UnitExpr,
 };
 use super::parser::{Parser, Read};
+use super::stated_twice;
 use super::token::Token;
-use crate::diagnostic::{Diagnostic, Kind};
+use crate::diagnostic::{Diagnostic, Kind, Span};
 use std::fmt::{self, Display, Formatter, Write};
 
 impl Parser<'_> {
@@ -202,6 +203,11 @@ impl Parser<'_> {
             self.need(Token::Sign(")"), "`)` after the state")?;
         }
         self.need(Token::Sign("="), "`=` and the expected value")?;
+        if self.peek() == Token::Sign("(") {
+            let help =
+                "expect each component by itself, of a quantity such as `let height = position.3;`";
+            return self.expected_help("a number", Some(help.to_owned()));
+        }
         let value = self.quantity("a number")?;
         if !self.eat_word("within") {
             let help = "add the greatest difference: `within 1e-9`".to_owned();
@@ -312,12 +318,29 @@ impl Parser<'_> {
             }
         }
         let (mut interpolation, mut continuation) = <(Interpolation, Continuation)>::default();
-        while self.peek() == Token::Name && !self.first_on_line() {
+        // The word for the curve, and the one for its ends.
+        let mut stated: [Option<Span>; 2] = [None; 2];
+        let known = ["monotone", "linear", "constant"];
+        while self.peek() == Token::Name && (known.contains(&self.raw()) || !self.first_on_line()) {
             match self.raw() {
                 "monotone" => interpolation = Interpolation::Monotone,
                 "linear" => interpolation = Interpolation::Linear,
                 "constant" => continuation = Continuation::Constant,
-                _ => return self.expected_word(WAYS, &["monotone", "linear", "constant"]),
+                _ => return self.expected_word(WAYS, &known),
+            }
+            let (word, here) = (self.raw(), self.here());
+            if let Some(first) = stated[usize::from(word == "constant")].replace(here) {
+                let fault = match self.slice(first) {
+                    own if own == word => stated_twice(word, first, here),
+                    other => {
+                        let message = format!("a table cannot be both `{other}` and `{word}`");
+                        Diagnostic::new(Kind::Duplicate, here, message)
+                            .label(first, "stated here")
+                            .label(here, "and here")
+                            .help("keep one of them")
+                    }
+                };
+                return self.refuse(fault);
             }
             self.advance();
             if self.eat(Token::Sign(",")) && self.peek() != Token::Name {

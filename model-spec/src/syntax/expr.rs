@@ -169,7 +169,7 @@ impl Parser<'_> {
         let unit = match self.peek() {
             Token::Sign("[") => Some(self.square_unit()?),
             Token::Name
-                if !self.first_on_line()
+                if !self.begins_anew()
                     && !self.follows_a_number()
                     && self.peek_at(1) != Token::Sign("(") =>
             {

@@ -169,6 +169,16 @@ impl Lexer<'_> {
                 "the control character U+{code:04X} cannot stand here"
             ))
             .note(BINARY)
+        } else if is_invisible(first) {
+            let code = first as u32;
+            fault(format!(
+                "the invisible character U+{code:04X} means nothing in this language"
+            ))
+            .help("remove it")
+            .fix(
+                self.span(&(range.start..range.start + first.len_utf8())),
+                "",
+            )
         } else {
             let shown: String = found.chars().take(12).collect();
             let is_cut = found.chars().nth(12).is_some();
@@ -184,6 +194,11 @@ impl Lexer<'_> {
         };
         self.lexed.diagnostics.push(fault);
     }
+}
+
+/// Whether a character takes no visible place: soft hyphens, marks of direction, joiners and spaces without width.
+fn is_invisible(c: char) -> bool {
+    matches!(c, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{206F}' | '\u{FEFF}')
 }
 
 /// Suggests a replacement for a character that is not part of the language; `None` if there is no suggestion.

@@ -141,6 +141,10 @@ impl<'a> Parser<'a> {
         lexeme.map_or("", |own| &self.text[own.start as usize..own.end as usize])
     }
 
+    fn starts_with(&self, text: &str) -> bool {
+        self.text[self.lexeme().start as usize..].starts_with(text)
+    }
+
     pub fn slice_all(&self) -> &'a str {
         self.text
     }
@@ -261,6 +265,12 @@ impl<'a> Parser<'a> {
     }
 
     pub fn expected_help<T>(&mut self, what: &str, help: Option<String>) -> Read<T> {
+        let behind = self.slice(self.behind());
+        let is_comment = matches!((behind, self.raw()), ("/", "*")) || self.starts_with("/*");
+        let help = match is_comment {
+            true => Some("a comment begins with `//` and ends with its line".to_owned()),
+            false => help,
+        };
         let found = lexer::name_of(self.lexeme(), self.text);
         if !self.reported_by_lexer() {
             let message = format!("expected {what}, found {found}");
@@ -342,9 +352,17 @@ impl<'a> Parser<'a> {
             );
         }
         let help = match self.peek() {
+            Token::Name if self.raw() == "for" => Some(
+                "`for …` stands before the `=`, as in `let r[i] for i in 1..8 = …;`".to_owned(),
+            ),
             Token::Name | Token::Number | Token::Sign("(") => {
                 Some("a product is written with `*` or `·`".to_owned())
             }
+            Token::Sign(",") if self.peek_at(1) == Token::Number => Some(format!(
+                "decimals have a point: `{}.{}`",
+                self.slice(self.behind()),
+                self.raw_at(1)
+            )),
             Token::Sign("**") => Some("a power is written `^`".to_owned()),
             Token::Sign(">" | "<") => {
                 Some("`step(a - b)` is 1 where a > b, else 0; or use `max`, `min`".to_owned())

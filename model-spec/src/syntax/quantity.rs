@@ -4,6 +4,7 @@ use super::ast::{Number, Quantity, UnitExpr, UnitFactor};
 use super::parser::{Parser, Read};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::unit::symbol;
 
 /// Keywords that may follow a literal and must not be parsed as units.
 pub(crate) const FOLLOWING: [&str; 6] = ["in", "within", "about", "on", "for", "relative"];
@@ -23,10 +24,9 @@ impl Parser<'_> {
             span: self.here(),
         };
         self.advance();
-        if !number.text.parse::<f64>().is_ok_and(f64::is_finite) {
-            let message = format!("the number {} is too large", number.text);
-            let fault = Diagnostic::new(Kind::Value, number.span, message);
-            self.report(fault.note("the largest number is about 1.8e308"));
+        if let Some((what, bound)) = beyond_range(&number.text) {
+            let message = format!("the number {} is too {what}", number.text);
+            self.report(Diagnostic::new(Kind::Value, number.span, message).note(bound));
         }
         Ok(number)
     }
@@ -38,7 +38,13 @@ impl Parser<'_> {
             self.eat(Token::Sign("+"));
         }
         if self.peek() == Token::Name || self.peek() == Token::Sign("(") {
-            let help = "a quantity that is computed is named with `let`";
+            let is_infinite = ["inf", "infinity", "nan"]
+                .iter()
+                .any(|word| self.raw().eq_ignore_ascii_case(word));
+            let help = match is_infinite {
+                true => "every number is finite",
+                false => "a quantity that is computed is named with `let`",
+            };
             return self.expected_help(what, Some(help.to_owned()));
         }
         let digits = self.digits(what)?;
@@ -62,10 +68,15 @@ impl Parser<'_> {
         Ok(Quantity { number, unit, span })
     }
 
+    /// Whether the name here begins a line and is no unit, so that a `;` before it was forgotten.
+    pub fn begins_anew(&self) -> bool {
+        self.first_on_line() && symbol::find(self.raw()).is_none()
+    }
+
     fn at_unit(&self) -> bool {
         match self.peek() {
-            Token::Name if self.raw() == INCH => !self.first_on_line() && !self.at_keyword_in(),
-            Token::Name => !FOLLOWING.contains(&self.raw()) && !self.first_on_line(),
+            Token::Name if self.raw() == INCH => !self.at_keyword_in(),
+            Token::Name => !FOLLOWING.contains(&self.raw()) && !self.begins_anew(),
             Token::Sign("/" | "[") => true,
             Token::Number => self.raw() == "1" && self.peek_at(1) == Token::Sign("/"),
             _ => false,
@@ -91,7 +102,7 @@ impl Parser<'_> {
             return self.square_unit().map(Some);
         }
         let unit = self.unit()?;
-        if self.at_unit() && self.peek() == Token::Name {
+        if self.at_unit() && self.peek() == Token::Name && !self.first_on_line() {
             let found = self.raw();
             let message = format!("expected the end of the unit, found `{found}`");
             let between = Span {
@@ -240,6 +251,19 @@ impl Parser<'_> {
                 self.refuse(fault.note("powers of units are whole or half numbers up to 63"))
             }
         }
+    }
+}
+
+/// Whether a number is too large or too small to be represented, and the bound; `None` if it is neither.
+pub(crate) fn beyond_range(text: &str) -> Option<(&'static str, &'static str)> {
+    let value: f64 = text.parse().ok()?;
+    let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
+    if !value.is_finite() {
+        Some(("large", "the largest number is about 1.8e308"))
+    } else if value == 0.0 && mantissa.contains(|c| matches!(c, '1'..='9')) {
+        Some(("small", "the smallest number above 0 is about 4.9e-324"))
+    } else {
+        None
     }
 }
 

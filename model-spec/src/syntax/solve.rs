@@ -82,7 +82,7 @@ impl Parser<'_> {
     }
 
     /// Whether a sign that continues an expression stands `ahead` tokens ahead.
-    fn is_operator_at(&self, ahead: usize) -> bool {
+    pub fn is_operator_at(&self, ahead: usize) -> bool {
         matches!(
             self.peek_at(ahead),
             Token::Sign("*" | "/" | "+" | "-" | "^" | "=" | "·" | "×" | "." | "[")

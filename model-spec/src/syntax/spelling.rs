@@ -62,9 +62,40 @@ pub fn plain(raw: &str) -> String {
     out
 }
 
+/// Name under which a model has what is written so: `φ̇` is `phidot`, and `k[2, 4]` is `k_2_4`.
+pub fn joined(raw: &str) -> String {
+    let mut rest = plain(raw);
+    let mut out = String::with_capacity(rest.len());
+    while let Some((before, behind)) = rest.split_once('[') {
+        let Some((subscripts, after)) = behind.split_once(']') else {
+            break;
+        };
+        out += before.trim_end();
+        for subscript in subscripts.split(',') {
+            out += "_";
+            out += subscript.trim();
+        }
+        rest = after.to_owned();
+    }
+    out + &rest
+}
+
 #[cfg(test)]
 mod tests {
-    use super::plain;
+    use super::{joined, plain};
+
+    #[test]
+    fn elements_have_the_names_of_tables_and_reports() {
+        for (written, name) in [
+            ("k[1]", "k_1"),
+            ("place[2, 4]", "place_2_4"),
+            ("der(φ[3])", "der(phi_3)"),
+            ("k[1", "k[1"),
+            ("C_D0", "C_D0"),
+        ] {
+            assert_eq!(joined(written), name);
+        }
+    }
 
     #[test]
     fn greek_letters_and_dots_have_names() {

@@ -57,7 +57,7 @@ impl Parser<'_> {
             "set" | "expect" => Some("check \"…\""),
             "replace" | "site" | "source" | "variables" | "negligible" | "increases"
             | "decreases" => Some("effect NAME"),
-            "unknown" => Some("solve"),
+            "unknown" | "constraint" => Some("solve"),
             "mass" | "inertia" | "fixed" | "axis" | "forward" | "position" | "velocity"
             | "angular" => Some("body NAME"),
             _ => None,
@@ -76,6 +76,11 @@ impl Parser<'_> {
                 };
                 let definition = format!("a quantity is named with `let {word} = …;`");
                 fault = fault.help(definition).fix(start, "let ");
+            } else if self.is_equation() {
+                fault = fault.help(
+                    "an equation that is not solved for its derivative stands in a block: `solve { LEFT = RIGHT; }`",
+                );
+                return self.refuse(fault);
             } else if word == "for" {
                 let help = "the index stands behind a name: `let r[i] for i in 1..8 = …;`";
                 fault = fault.help(help);
@@ -90,6 +95,15 @@ impl Parser<'_> {
             ));
         }
         self.refuse(fault)
+    }
+
+    /// Whether the statement here is an equation between expressions.
+    fn is_equation(&self) -> bool {
+        let is_end = |at: &usize| matches!(self.peek_at(*at), Token::End | Token::Sign(";"));
+        self.is_operator_at(1)
+            && (1..MAX_UNIT_TOKENS)
+                .take_while(|at| !is_end(at))
+                .any(|at| self.peek_at(at) == Token::Sign("="))
     }
 
     fn named(&mut self, make: impl Fn(Name) -> ItemKind) -> Read<ItemKind> {
@@ -124,7 +138,14 @@ impl Parser<'_> {
         self.need(Token::Sign("="), &what)?;
         if class == ParameterClass::Param && self.at_computed() {
             let value = self.expr()?;
-            self.semicolon(&format!("the definition of `{}`", name.text))?;
+            let definition = format!("the definition of `{}`", name.text);
+            if self.at_word("in") {
+                let help =
+                    "what is computed has no bounds of its own: those of what it is made of hold";
+                let what = format!("`;` at the end of {definition}");
+                return self.expected_help(&what, Some(help.to_owned()));
+            }
+            self.semicolon(&definition)?;
             let own = Let {
                 is_constant: true,
                 name,
@@ -341,6 +362,16 @@ impl Parser<'_> {
             });
         }
         let what = "the name of the angle after `turned`";
+        if matches!(self.peek(), Token::Sign("-")) && self.peek_at(1) == Token::Name {
+            self.advance();
+            let name = self.raw();
+            let help = format!(
+                "an angle is a name or a number: let `{name}` be the opposite angle, or write a number such as `-5 deg`"
+            );
+            let message = format!("a frame is turned by `{name}`, not by an expression of it");
+            let fault = Diagnostic::new(Kind::Grammar, self.behind().to(self.here()), message);
+            return self.refuse(fault.help(help));
+        }
         if self.peek() == Token::Sign("(") {
             let help = "a frame by a unit quaternion is written `by quaternion (q0, q1, q2, q3)`";
             return self.expected_help(what, Some(help.to_owned()));

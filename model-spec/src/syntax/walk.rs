@@ -52,6 +52,11 @@ impl File {
         of_kind!(self.items.iter(), ItemKind::Frame)
     }
 
+    /// The definition by `let`, or by a `param` that is computed, of a name.
+    pub(crate) fn binding(&self, name: &str) -> Option<&Let> {
+        of_kind!(self.items.iter(), ItemKind::Let).find(|own| own.name.text == name)
+    }
+
     /// The effects that the file declares, applied or not.
     pub fn effects(&self) -> impl Iterator<Item = &Effect> {
         of_kind!(self.items.iter(), ItemKind::Effect)

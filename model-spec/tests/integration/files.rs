@@ -196,3 +196,38 @@ fn what_two_files_include_is_there_once() {
     );
     assert_eq!(folder.load().aux_variables.len(), 2);
 }
+
+#[test]
+fn a_number_in_a_file_is_as_small_as_one_in_a_text() {
+    let text = format!("model probe;\n{BODY}table T(a) = \"t.csv\";\nlet b = T(x/(1 m));\n");
+    let folder = Folder::new(
+        "small",
+        &[("probe.hyz", &text), ("t.csv", "0,1\n1,1e-400\n")],
+    );
+    let error = load(&folder.path("probe.hyz"), &[])
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("1e-400 is too small"), "{error}");
+}
+
+/// What is open in an editor counts, saved or not.
+#[test]
+fn open_texts_stand_for_their_files() {
+    let text = format!("model probe;\n{BODY}include \"part.hyz\";\nlet b = 2*a;\n");
+    let folder = Folder::new(
+        "open",
+        &[("probe.hyz", &text), ("part.hyz", "let a = 3;\n")],
+    );
+    let part = folder.path("part.hyz");
+    let open = |path: &std::path::Path| {
+        (path.to_string_lossy() == part).then(|| "let a = 3 [m];\nlet c = missing;\n".to_owned())
+    };
+    let loaded = model_spec::load::inspect_open(&folder.path("probe.hyz"), &text, &open).unwrap();
+    let faults: Vec<&str> = loaded
+        .diagnostics
+        .iter()
+        .map(|own| own.message.as_str())
+        .collect();
+    assert_eq!(faults, ["there is no `missing`"]);
+    assert_eq!(loaded.diagnostics[0].span.source, 1);
+}

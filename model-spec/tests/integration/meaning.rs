@@ -209,10 +209,10 @@ fn singular_points_are_listed_with_their_behaviour() {
     assert_eq!(
         points,
         [
-            "norm(velocity): 0 with derivative 0 where `velocity` is zero",
-            "ratio(z, x, 1): `1` where `x` is 0",
-            "sqrt(m/m): 0 with derivative 0 where `m/m` is 0 or less",
-            "unit(velocity, N.1): `N.1` where `velocity` is zero",
+            "norm(velocity): is 0 with derivative 0 where `velocity` is zero",
+            "ratio(z, x, 1): is `1` where `x` is 0",
+            "sqrt(m/m): is 0 with derivative 0 where `m/m` is 0 or less",
+            "unit(velocity, N.1): is `N.1` where `velocity` is zero",
         ]
     );
 }

@@ -227,3 +227,58 @@ fn mass_and_inertia_of_each_body_are_checked() {
         assert!(error.to_string().contains(expected), "{error}");
     }
 }
+
+/// The text without comments, with `gap` in place of each white space outside of quotation marks.
+fn with_gaps(text: &str, gap: &str) -> String {
+    let mut out = String::new();
+    for line in text.lines() {
+        let code = line.split("//").next().unwrap_or_default();
+        for (k, part) in code.split('"').enumerate() {
+            let quote = if k > 0 { "\"" } else { "" };
+            out += quote;
+            out += &match k % 2 {
+                0 => part.split_whitespace().collect::<Vec<_>>().join(gap),
+                _ => part.to_owned(),
+            };
+            if k % 2 == 0 {
+                out += gap;
+            }
+        }
+        out += gap;
+    }
+    out
+}
+
+#[test]
+fn line_breaks_mean_nothing() {
+    let own = "model breaks; frame N; param m = 0.5 kg in 0 .. 3 kg; param d[i] for i in 1..2 = (3, 4) in ;
+        point p { mass m; position (x, y, z) in N = (0, 0, 1) m; velocity (vx, vy, vz) in N; }
+        table T(a: m): N = { 0: 1, 1 ft: 2, 2 m: 3 } monotone , constant ;
+        let e = 5 m + x + 5 [m] ; limit z > -1 km \"it is lost\";
+        force f = T(x)*N.1 + 2 N *N.2 - 3 N * (1, 0, 0) in N;
+        check \"still\" { set z = 2 m; expect e = 10 m within 1 mm; }";
+    let models = model_spec::load::MODELS.iter();
+    for (name, text) in models.copied().chain([("breaks", own)]) {
+        let [one_line, many] = [" ", "\n"].map(|gap| with_gaps(text, gap));
+        let [one_line, many] = [one_line, many].map(|text| {
+            let tree = model_spec::ModelTree::parse(name, &text);
+            tree.unwrap_or_else(|error| panic!("{name}: {error}"))
+                .to_text("")
+        });
+        assert_eq!(one_line, many, "{name}");
+    }
+}
+
+#[test]
+fn what_is_set_may_be_spelt_as_in_the_model() {
+    let text =
+        "model spelt; frame N; param m = 1 kg; coefficient k[i] for i in 1..2 = 3 N; param ρ = 2;
+        point p { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+        force f = (k[1] + k[2]*rho)*N.1; param twice = 2*m;";
+    let tree = model_spec::ModelTree::parse("spelt", text).unwrap();
+    let model = tree.with_values([("k[2]", 7.0), ("ρ", 5.0)]).unwrap();
+    let model = model.check().unwrap();
+    assert_eq!(model.coefficients[1].value, 7.0);
+    assert_eq!(model.params[1].value, 5.0);
+    assert!(model.is_computed("twice") && !model.is_computed("m"));
+}

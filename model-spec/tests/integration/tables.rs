@@ -61,7 +61,7 @@ fn a_table_of_two_arguments_prints_and_reads_as_the_same() {
     assert!(
         points
             .iter()
-            .any(|point| point.what == "a kink at each knot of the table `a`")
+            .any(|point| point.what == "has a kink at each knot of the table `a`")
     );
 }
 
@@ -144,7 +144,7 @@ fn the_number_of_knots_and_of_tables_is_bounded() {
     };
     read(&table(0, 10_000));
     fails(table(0, 10_001), "has 10001 knots");
-    fails(table(0, 1), "has 1 knots");
+    fails(table(0, 1), "has 1 knot, but must");
     let many = |count: usize| (0..count).map(|k| table(k, 3)).collect::<String>();
     read(&many(100));
     fails(many(101), "at most 100 tables");

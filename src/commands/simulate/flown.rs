@@ -15,9 +15,14 @@ pub fn table(flown: &FlownThrow, units: Units) -> String {
     let m = units.length();
     let [x, y, z] = flown.landing.map(|own| hundredths(length(own)));
     let (range, sideways) = (length(flown.range), length(flown.sideways.abs()));
+    let ends = if flown.ended_by == "ground" {
+        "lands"
+    } else {
+        "ends"
+    };
     let _ = writeln!(
         text,
-        "  range {range:.2} {m}, {sideways:.2} {m} to the {side} of the throw's line; lands at x {x:.2}, y {y:.2}, z {z:.2} {m}"
+        "  range {range:.2} {m}, {sideways:.2} {m} to the {side} of the throw's line; {ends} at x {x:.2}, y {y:.2}, z {z:.2} {m}"
     );
     let _ = writeln!(
         text,

@@ -4,9 +4,13 @@ mod inputs;
 mod throw;
 
 use crate::initial_conditions::{Release, Stop, Vocabulary, built_in, own_wind, quaternion_fault};
-use crate::toml_reader::{MAX_FILE_BYTES, Name, Reader, ReleaseError, read_text, suggestion};
+use crate::toml_reader::{
+    MAX_FILE_BYTES, Name, Reader, ReleaseError, Value, read_text, suggestion,
+};
 use crate::wind::WindField;
 use model_spec::load::LoadError;
+use model_spec::syntax::spelling::joined;
+use std::ops::Range;
 use std::path::Path;
 use toml::de::DeTable;
 
@@ -140,8 +144,18 @@ impl<'t> Reader<'t> {
         }
         let (parameters, coefficients) = (&vocabulary.parameters, &vocabulary.coefficients);
         let [parameters, coefficients] = [
-            self.constants(document, "parameters", parameters, coefficients),
-            self.constants(document, "coefficients", coefficients, parameters),
+            self.constants(
+                document,
+                "parameters",
+                &vocabulary,
+                [parameters, coefficients],
+            ),
+            self.constants(
+                document,
+                "coefficients",
+                &vocabulary,
+                [coefficients, parameters],
+            ),
         ];
         let is_throw = document.contains_key("throw");
         let initial = match is_throw {
@@ -209,16 +223,35 @@ impl<'t> Reader<'t> {
         }
     }
 
+    /// Entries of the table `key` by the names of the model; records a fault for a name that stands there twice.
+    fn named<'d>(
+        &mut self,
+        document: &'d DeTable<'t>,
+        key: &str,
+    ) -> Vec<(String, Range<usize>, &'d Value<'t>)> {
+        let mut found: Vec<(String, Range<usize>, &Value<'t>)> = Vec::new();
+        for (written, span, value) in self.table(document, key) {
+            let name = joined(written);
+            if found.iter().any(|own| own.0 == name) {
+                self.fault(span, format!("{name} is there twice, in two spellings"));
+            } else {
+                found.push((name, span, value));
+            }
+        }
+        found
+    }
+
     /// Parses the table `key` of the document, either `parameters` or `coefficients`, and returns its names and values.
     fn constants(
         &mut self,
         document: &DeTable<'t>,
         key: &str,
-        names: &[Name],
-        others: &[Name],
+        vocabulary: &Vocabulary,
+        [names, others]: [&[Name]; 2],
     ) -> Vec<(String, f64)> {
         let mut found = Vec::new();
-        for (name, span, value) in self.table(document, key) {
+        for (name, span, value) in self.named(document, key) {
+            let name = name.as_str();
             let Some(known) = names.iter().find(|n| n.name == name) else {
                 let message = if others.iter().any(|n| n.name == name) {
                     let other = match key {
@@ -226,6 +259,8 @@ impl<'t> Reader<'t> {
                         _ => "parameters",
                     };
                     format!("{name} is one of the model's {other}; expected it in [{other}]")
+                } else if vocabulary.is_computed(name) {
+                    format!("{name} is computed from other parameters; expected those")
                 } else {
                     let hint = suggestion(name, names.iter().map(|n| &*n.name));
                     format!("the model has no {name:?} among its {key}{hint}")
@@ -251,14 +286,14 @@ impl<'t> Reader<'t> {
         for &(state, value) in &vocabulary.optional {
             values[state] = Some(value);
         }
-        for (name, span, value) in self.table(document, "initial") {
-            let Some(i) = states.iter().position(|s| s == name) else {
-                let hint = suggestion(name, states.iter().map(|s| &**s));
+        for (name, span, value) in self.named(document, "initial") {
+            let Some(i) = states.iter().position(|s| *s == name) else {
+                let hint = suggestion(&name, states.iter().map(|s| &**s));
                 self.fault(span, format!("the model has no state {name:?}{hint}"));
                 continue;
             };
             // An invalid number has its own fault; NaN prevents a second fault for a missing state.
-            values[i] = Some(self.number(value, name).unwrap_or(f64::NAN));
+            values[i] = Some(self.number(value, &name).unwrap_or(f64::NAN));
         }
         let absent = states
             .iter()
@@ -292,15 +327,15 @@ impl<'t> Reader<'t> {
         let inputs = vocabulary.inputs.iter().map(|input| &**input);
         let inputs = inputs.filter(|input| *input != "wind");
         let mut found = Vec::new();
-        for (name, span, value) in self.table(document, "known") {
+        for (name, span, value) in self.named(document, "known") {
             if inputs.clone().any(|input| input == name) {
-                found.extend(self.vector(value, name).map(|v| (name.to_string(), v)));
+                found.extend(self.vector(value, &name).map(|v| (name, v)));
             } else {
                 let mut scalars = vocabulary.scalar_inputs.iter();
                 let message = match scalars.any(|own| own.name == name) {
                     true => format!("{name} is a scalar; expected it in [inputs]"),
                     false => {
-                        let hint = suggestion(name, inputs.clone());
+                        let hint = suggestion(&name, inputs.clone());
                         format!("the model has no input {name:?}{hint}")
                     }
                 };
