@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast, overload
+from typing import TYPE_CHECKING, Any, ClassVar, cast, overload
 
 from hyzer import _hyzer, _toml
+from hyzer._arguments import mapping, text_of
 from hyzer._dataset import Dataset, dataset_of
 from hyzer._errors import InputError
-from hyzer._extras import extra
+from hyzer._extras import frame_of
 from hyzer._fit import options
 from hyzer._model import model_of
 from hyzer._progress import Progress, Watching
+from hyzer._records import titled
 from hyzer._release import Release
-from hyzer._results import Fit, Result
+from hyzer._results import Fit, Paged, Result
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -32,11 +32,17 @@ class Report(Result):
 
     _native: _hyzer.Report
 
+    _shown: ClassVar[str] = ""
+    """Key of the table that a notebook shows."""
+
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {self._about()}>"
 
     def _about(self) -> str:
         return str(self._values().get("model", "a model"))
+
+    def _repr_html_(self) -> str:
+        return titled(self, self._shown)
 
 
 class Bootstrap(Report):
@@ -50,13 +56,15 @@ class Bootstrap(Report):
         Numbers of refits, and of those that converged.
     """
 
+    _shown = "coefficients"
+
     def to_pandas(self) -> pd.DataFrame:
         """Return the estimates, a row for each refit, SI."""
         text = self._native.file_text("refits.csv") or ""
-        return cast("pd.DataFrame", extra("pandas").read_csv(io.StringIO(text), index_col="refit"))
+        return frame_of(text, index_col="refit")
 
 
-class Design(Report):
+class Design(Report, Paged):
     """A throw for a purpose. Attributes are the keys of `hyzer.design/1`.
 
     Attributes
@@ -69,6 +77,8 @@ class Design(Report):
         Where it lands, m.
     """
 
+    _shown = "throw"
+
     @property
     def release(self) -> Release:
         """The throw as a release, which `Model.fly` flies."""
@@ -76,13 +86,15 @@ class Design(Report):
         return Release.parse("release.toml", text)
 
 
-class Stability(Report):
+class Stability(Report, Paged):
     """Modes of the linearised motion and criteria. Attributes are the keys of `stability.json`."""
+
+    _shown = "release"
 
     def to_pandas(self) -> pd.DataFrame:
         """Return the modes along the flight as a DataFrame."""
         text = self._native.file_text("modes.csv") or ""
-        return cast("pd.DataFrame", extra("pandas").read_csv(io.StringIO(text)))
+        return frame_of(text)
 
 
 @overload
@@ -94,8 +106,8 @@ def bootstrap(
     seed: int = 1,
     out: str | os.PathLike[str] | None = None,
     part: None = None,
-    fixed: Mapping[str, float | None] | Iterable[str] = (),
-    free: Iterable[str] = (),
+    fixed: Mapping[str, float | None] | Iterable[str] | str = (),
+    free: Iterable[str] | str = (),
     priors: Mapping[str, tuple[float, float]] | None = None,
     unbounded: bool = False,
     trust_data: bool = False,
@@ -111,8 +123,8 @@ def bootstrap(
     seed: int = 1,
     out: str | os.PathLike[str],
     part: tuple[int, int],
-    fixed: Mapping[str, float | None] | Iterable[str] = (),
-    free: Iterable[str] = (),
+    fixed: Mapping[str, float | None] | Iterable[str] | str = (),
+    free: Iterable[str] | str = (),
     priors: Mapping[str, tuple[float, float]] | None = None,
     unbounded: bool = False,
     trust_data: bool = False,
@@ -127,8 +139,8 @@ def bootstrap(
     seed: int = 1,
     out: str | os.PathLike[str] | None = None,
     part: tuple[int, int] | None = None,
-    fixed: Mapping[str, float | None] | Iterable[str] = (),
-    free: Iterable[str] = (),
+    fixed: Mapping[str, float | None] | Iterable[str] | str = (),
+    free: Iterable[str] | str = (),
     priors: Mapping[str, tuple[float, float]] | None = None,
     unbounded: bool = False,
     trust_data: bool = False,
@@ -236,10 +248,10 @@ def design(
     True
     """
     limits: str | None = None
-    if isinstance(bounds, Mapping):
-        limits = _toml.document(bounds)
+    if isinstance(bounds, Mapping) or hasattr(bounds, "iloc"):
+        limits = _toml.document(mapping(bounds, "bounds"))
     elif bounds is not None:
-        limits = Path(bounds).read_text(encoding="utf-8")
+        limits = text_of(bounds, "bounds")
     asked = {
         "target": None if target is None else [float(x) for x in target],
         "bounds": limits,
@@ -268,7 +280,7 @@ def _report(fit: Fit | str | os.PathLike[str] | None) -> str | None:
     """Return the report of a fit, a JSON text."""
     if fit is None or isinstance(fit, Fit):
         return None if fit is None else json.dumps(fit.to_dict())
-    return Path(fit).read_text(encoding="utf-8")
+    return text_of(fit, "fit")
 
 
 def stability(model: AnyModel, release: AnyRelease | None = None, *, times: int = 60) -> Stability:

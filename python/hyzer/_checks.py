@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, cast
 from hyzer import _hyzer
 from hyzer._analyses import Report
 from hyzer._model import model_of
+from hyzer._release import Release
 
 if TYPE_CHECKING:
-    from hyzer._analyses import AnyModel
+    from hyzer._analyses import AnyModel, AnyRelease
 
 
 class Verification(Report):
@@ -25,6 +26,8 @@ class Verification(Report):
         Each check with its verdict.
     """
 
+    _shown = "rows"
+
 
 class Difference(Report):
     """What a change of a model changes. Attributes are the keys of its JSON.
@@ -36,6 +39,8 @@ class Difference(Report):
     rows : Rows
         Each row with what differs.
     """
+
+    _shown = "rows"
 
     def _about(self) -> str:
         models = self["models"]
@@ -72,15 +77,17 @@ def verify(
     return Verification(_hyzer.verify(of, cases, seed, mutants))
 
 
-def diff(old: AnyModel, new: AnyModel, *, releases: Iterable[str] = ()) -> Difference:
+def diff(
+    old: AnyModel, new: AnyModel, *, releases: AnyRelease | Iterable[AnyRelease] = ()
+) -> Difference:
     """Compare two models: statements, derivatives (exactly), operation counts, landings.
 
     Parameters
     ----------
     old, new : str, path or Model
         The models; those given by name, path or text may have units that disagree.
-    releases : iterable of str
-        Releases, by name or path, that are flown with both.
+    releases : release or iterable of releases
+        Flown with both, as in `Model.fly`.
 
     Returns
     -------
@@ -93,4 +100,6 @@ def diff(old: AnyModel, new: AnyModel, *, releases: Iterable[str] = ()) -> Diffe
     True
     """
     models = [m if isinstance(m, _hyzer.Model) else os.fspath(m) for m in (old, new)]
-    return Difference(_hyzer.diff(models[0], models[1], list(releases)))
+    name = old.name if isinstance(old, _hyzer.Model) else "disc"
+    texts = [release.texts(name) for release in Release.several(releases)]
+    return Difference(_hyzer.diff(models[0], models[1], texts))

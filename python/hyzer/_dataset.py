@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import io
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from hyzer import _hyzer
-from hyzer._extras import extra
+from hyzer._arguments import mapping, names, numbers, selected
+from hyzer._errors import InputError
+from hyzer._extras import frame_of
 from hyzer._tables import manifest, named, table, text_of
 
 if TYPE_CHECKING:
@@ -73,18 +74,18 @@ class Dataset:
     @classmethod
     def from_pandas(
         cls,
-        flights: Sequence[pd.DataFrame] | Mapping[str, pd.DataFrame],
+        flights: pd.DataFrame | Sequence[pd.DataFrame] | Mapping[Any, pd.DataFrame],
         *,
         markers: Mapping[str, Iterable[float] | str] | None = None,
         sensors: Mapping[str, Mapping[str, Any]] | None = None,
-        model: str = "disc",
+        model: str | os.PathLike[str] = "disc",
         parameters: Mapping[str, float] | None = None,
         sigma: float | None = None,
-        held_out: Iterable[str | int] = (),
-        known: Mapping[str | int, Mapping[str, Any]] | None = None,
+        held_out: Iterable[Any] | str | int = (),
+        known: Mapping[Any, Mapping[str, Any]] | None = None,
         recording: Mapping[str, Any] | None = None,
-        unknown: Iterable[str] | Mapping[str | int, Iterable[str]] | None = None,
-        inputs: Mapping[str | int, pd.DataFrame] | None = None,
+        unknown: Iterable[str] | str | Mapping[Any, Iterable[str] | str] | None = None,
+        inputs: Mapping[Any, pd.DataFrame] | None = None,
         interpolation: str | None = None,
         name: str = "",
     ) -> Dataset:
@@ -95,7 +96,9 @@ class Dataset:
         flights : sequence or mapping of DataFrame
             Tables with a column or index `t`, s, and columns `NAME_x`, `NAME_y`, `NAME_z`, m, for
             each marker (z up); columns of other sensors as in a table of a dataset. A missing value
-            is NaN. A sequence is named `flight01.csv`, `flight02.csv`, …
+            is NaN. Times may be differences of time or dates, which count from the first. A
+            sequence is named `flight01.csv`, `flight02.csv`, …; a key that is no name, as of
+            `groupby`, `KEY.csv`. One DataFrame is one flight.
         markers : mapping of str to sequence of 3 floats
             Positions of the markers in the body frame, m, or "unknown" where it is to be estimated.
         sensors : mapping of str to mapping
@@ -107,12 +110,13 @@ class Dataset:
             Known constants of the body and its environment, SI.
         sigma : float, optional
             Standard deviation of a measured coordinate, m; estimated by default.
-        held_out : iterable of str or int
-            Flights that a fit does not use, by name or number from 0.
+        held_out : iterable of str, int or bool; str; int
+            Flights that a fit does not use: by name or number from 0, or a mask of all flights.
+            Flights whose keys are numbers go by their keys.
         known : mapping
             Values known for single flights, by name or number: `{0: {"wind": [1.0, 0.0, 0.0]}}`.
             `NAME_sigma` is the standard deviation with which `NAME` was measured.
-        unknown : iterable of str, or mapping, optional
+        unknown : iterable of str, str, or mapping, optional
             Inputs, coefficients or constants that are estimated for each flight, or of single
             flights by name or number.
         inputs : mapping of str or int to DataFrame, optional
@@ -138,11 +142,11 @@ class Dataset:
         >>> data.files[:2]
         ('flight01.csv', 'flight02.csv')
         """
-        tables = named(flights)
+        tables, files = named(flights)
         texts = {file: text_of(file, frame) for file, frame in tables.items()}
-        files = list(texts)
-        of_inputs: dict[str | int, str] = {}
-        for number, (flight, frame) in enumerate((inputs or {}).items(), start=1):
+        of_inputs: dict[Any, str] = {}
+        of_flights = mapping(inputs, "inputs")
+        for number, (flight, frame) in enumerate(of_flights.items(), start=1):
             file = f"inputs{number:02}.csv"
             of_inputs[flight], texts[file] = file, text_of(file, frame)
         about = manifest(
@@ -164,7 +168,7 @@ class Dataset:
     @classmethod
     def from_arrays(
         cls,
-        flights: Sequence[Mapping[str, npt.ArrayLike]] | Mapping[str, Mapping[str, npt.ArrayLike]],
+        flights: Sequence[Mapping[str, npt.ArrayLike]] | Mapping[Any, Any],
         *,
         markers: Mapping[str, Iterable[float] | str] | None = None,
         sensors: Mapping[str, Mapping[str, Any]] | None = None,
@@ -177,7 +181,8 @@ class Dataset:
         flights : sequence or mapping of mappings
             Arrays by name: `t`, shape (m,), s; each marker, shape (m, 3), m; each other sensor,
             with a column for each of its components: 7 for a pose (x, y, z, qw, qx, qy, qz), 1 for
-            a speed, else 3; each scalar input over time, shape (m,), SI. NaN is a missing value.
+            a speed, else 3; each scalar input over time, shape (m,), SI. NaN is a missing value,
+            as is a masked one. One mapping with the key `t` is one flight.
         markers, sensors, **options
             As in `from_pandas`.
 
@@ -205,16 +210,19 @@ class Dataset:
         model, name = options.pop("model", "disc"), options.pop("name", "")
         if options:
             raise TypeError(f"from_arrays() has no argument {', '.join(options)}")
-        kinds = dict.fromkeys(markers or {}, "marker")
-        kinds |= {sensor: str(about.get("kind")) for sensor, about in (sensors or {}).items()}
-        texts = {file: table(file, flight, kinds) for file, flight in named(flights).items()}
-        text = manifest(list(texts), model, markers, sensors, **about)
+        kinds = dict.fromkeys(mapping(markers, "markers"), "marker")
+        of_sensors = mapping(sensors, "sensors")
+        kinds |= {sensor: str(about.get("kind")) for sensor, about in of_sensors.items()}
+        is_one = isinstance(flights, Mapping) and "t" in flights
+        tables, files = named([flights] if is_one else flights)
+        texts = {file: table(file, flight, kinds) for file, flight in tables.items()}
+        text = manifest(files, model, markers, sensors, **about)
         return cls(_hyzer.Dataset(text, texts, name))
 
     @classmethod
     def import_takes(
         cls,
-        takes: Iterable[str | os.PathLike[str]],
+        takes: Iterable[str | os.PathLike[str]] | str | os.PathLike[str],
         *,
         model: str | os.PathLike[str] | None = None,
         markers: str | os.PathLike[str] | None = None,
@@ -227,13 +235,13 @@ class Dataset:
         labels: Mapping[str, str] | None = None,
         centre_height: float | None = None,
         parameters: Mapping[str, float] | None = None,
-        held_out: Iterable[str | int] = (),
+        held_out: Iterable[Any] | str | int = (),
     ) -> Dataset:
         """Import recordings of a laboratory, cut to the free flights, as `hyzer import` does.
 
         Parameters
         ----------
-        takes : iterable of path
+        takes : iterable of path, or path
             Recordings: C3D, Vicon, Qualisys, OptiTrack, DLTdv8, poses or CSV.
         model : str or path, optional
             Model; by default that of the template.
@@ -250,8 +258,8 @@ class Dataset:
             Height of the mass centre above the mean of the markers, m.
         parameters : mapping of str to float
             Known constants of the body and its environment, SI; they replace those of the template.
-        held_out : iterable of str or int
-            Flights that a fit does not use, by name or number from 0.
+        held_out : iterable of str, int or bool; str; int
+            Flights that a fit does not use: by name or number from 0, or a mask of all flights.
 
         Returns
         -------
@@ -281,12 +289,17 @@ class Dataset:
         }
         arguments = [f"--{key}={value}" for key, value in options.items() if value is not None]
         arguments += ["--left-handed"] if left_handed else []
-        arguments += [f"--label={label}={name}" for label, name in (labels or {}).items()]
+        arguments += [
+            f"--label={label}={name}" for label, name in mapping(labels, "labels").items()
+        ]
         # After `--` no file can be an option.
-        files = [os.fspath(take) for take in takes]
-        constants = {name: float(value) for name, value in (parameters or {}).items()}
-        apart = [held_out] if isinstance(held_out, str) else list(held_out)
-        return cls(_hyzer.import_takes([*arguments, "--", *files], constants, apart))
+        files = names(takes)
+        if not files:
+            raise InputError("takes: found none, expected the paths of recordings")
+        constants = numbers(parameters, "parameters")
+        made = _hyzer.import_takes([*arguments, "--", *files], constants)
+        apart = selected(held_out, {file: file for file in made.files}, "held_out")
+        return cls(made.held_out(apart))
 
     @property
     def decisions(self) -> str:
@@ -295,9 +308,8 @@ class Dataset:
 
     def to_pandas(self) -> dict[str, pd.DataFrame]:
         """Return the tables of the flights as DataFrames, by the names of the flights."""
-        pandas = extra("pandas")
         _, tables = self._native.texts()
-        return {file: pandas.read_csv(io.StringIO(text)) for file, text in tables}
+        return {file: frame_of(text) for file, text in tables}
 
     def save(self, folder: str | os.PathLike[str]) -> None:
         """Write the dataset as a folder, which is new or empty, whole or not at all.
@@ -308,6 +320,10 @@ class Dataset:
             If the folder cannot be written or holds something else.
         """
         self._native.save_files(folder)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the texts of the dataset."""
+        return _of_parts, self._native.parts()
 
     @property
     def native(self) -> _hyzer.Dataset:
@@ -325,3 +341,7 @@ class Dataset:
 def dataset_of(data: str | os.PathLike[str] | Dataset) -> _hyzer.Dataset:
     """Return a dataset given by its folder or as an object."""
     return (data if isinstance(data, Dataset) else Dataset.read(data)).native
+
+
+def _of_parts(*parts: Any) -> Dataset:
+    return Dataset(_hyzer.Dataset(*parts))

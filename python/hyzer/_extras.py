@@ -3,7 +3,12 @@
 from __future__ import annotations
 
 import importlib
+import io
 from types import ModuleType
+from typing import TYPE_CHECKING, Any, cast
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _EXTRAS = {"pandas": "pandas", "xarray": "xarray", "matplotlib.pyplot": "plot"}
 
@@ -16,3 +21,8 @@ def extra(name: str) -> ModuleType:
         package = name.partition(".")[0]
         text = f"this needs {package}: pip install 'hyzer[{_EXTRAS[name]}]'"
         raise ImportError(text) from error
+
+
+def frame_of(text: str, **options: Any) -> pd.DataFrame:
+    """Return a table of the program as a DataFrame."""
+    return cast("pd.DataFrame", extra("pandas").read_csv(io.StringIO(text), **options))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from typing import Any, cast
+from typing import Any
 
 from hyzer import _hyzer
+from hyzer._arguments import mapping, names
 from hyzer._dataset import Dataset, dataset_of
 from hyzer._model import model_of
 from hyzer._progress import Progress, Watching
@@ -14,10 +15,10 @@ from hyzer._results import Diagnosis, Fit
 
 
 def options(
-    fixed: Mapping[str, float | None] | Iterable[str] = (),
-    free: Iterable[str] = (),
+    fixed: Mapping[str, float | None] | Iterable[str] | str = (),
+    free: Iterable[str] | str = (),
     priors: Mapping[str, tuple[float, float]] | None = None,
-    profiles: Iterable[str] = (),
+    profiles: Iterable[str] | str = (),
     *,
     unbounded: bool = False,
     trust_data: bool = False,
@@ -26,15 +27,12 @@ def options(
 ) -> dict[str, Any]:
     """Return the options of a fit as the compiled part takes them."""
     held: dict[str, float | None]
-    if isinstance(fixed, Mapping):
-        held = dict(cast("Mapping[str, float | None]", fixed))
-    else:
-        held = dict.fromkeys([fixed] if isinstance(fixed, str) else fixed)
+    held = mapping(fixed, "fixed") if hasattr(fixed, "items") else dict.fromkeys(names(fixed))
     return {
         "fixed": list(held.items()),
-        "free": list(free),
-        "priors": [(name, value, sigma) for name, (value, sigma) in (priors or {}).items()],
-        "profiles": list(profiles),
+        "free": names(free),
+        "priors": [(name, *prior) for name, prior in mapping(priors, "priors").items()],
+        "profiles": names(profiles),
         "unbounded": unbounded,
         "trust_data": trust_data,
         "threads": threads,
@@ -46,10 +44,10 @@ def fit(
     data: str | os.PathLike[str] | Dataset,
     model: str | os.PathLike[str] | _hyzer.Model | None = None,
     *,
-    fixed: Mapping[str, float | None] | Iterable[str] = (),
-    free: Iterable[str] = (),
+    fixed: Mapping[str, float | None] | Iterable[str] | str = (),
+    free: Iterable[str] | str = (),
     priors: Mapping[str, tuple[float, float]] | None = None,
-    profiles: Iterable[str] = (),
+    profiles: Iterable[str] | str = (),
     unbounded: bool = False,
     trust_data: bool = False,
     threads: int | None = None,
@@ -64,21 +62,22 @@ def fit(
         A dataset, or its folder.
     model : str, path or Model, optional
         The model; by default that of the dataset.
-    fixed : mapping of str to float or None, or iterable of str
+    fixed : mapping of str to float or None, iterable of str, or str
         Coefficients that are not estimated, with their values, SI; by default those of the model.
-    free : iterable of str
+    free : iterable of str, or str
         Parameters or components of inputs (`wind_x`) that are estimated too, one value for all
         flights.
     priors : mapping of str to (float, float)
         Gaussian priors: mean and standard deviation, SI.
-    profiles : iterable of str
+    profiles : iterable of str, or str
         Coefficients whose profile likelihood is computed.
     unbounded : bool
         Ignore the bounds of the model.
     trust_data : bool
         Also use flights whose data seem faulty.
     threads : int, optional
-        Number of threads; the result does not depend on it.
+        Number of threads, at most four times that of the processors, which is the bound of a
+        larger one; the result does not depend on it.
     max_seconds : float, optional
         Stop after this time with the best estimates so far.
     progress : callable, bool or None
@@ -125,9 +124,9 @@ def diagnose(
     data: str | os.PathLike[str] | Dataset,
     model: str | os.PathLike[str] | _hyzer.Model | None = None,
     *,
-    without: Iterable[str] = (),
-    fixed: Mapping[str, float | None] | Iterable[str] = (),
-    free: Iterable[str] = (),
+    without: Iterable[str] | str = (),
+    fixed: Mapping[str, float | None] | Iterable[str] | str = (),
+    free: Iterable[str] | str = (),
     priors: Mapping[str, tuple[float, float]] | None = None,
     trust_data: bool = False,
     threads: int | None = None,
@@ -142,7 +141,7 @@ def diagnose(
         A dataset, or its folder.
     model : str, path or Model, optional
         The model; by default that of the dataset.
-    without : iterable of str
+    without : iterable of str, or str
         Effects that are not tested.
     fixed, free, priors, trust_data, threads, max_seconds, progress
         As in `fit`.
@@ -169,5 +168,5 @@ def diagnose(
         fixed, free, priors, trust_data=trust_data, threads=threads, max_seconds=max_seconds
     )
     with Watching(progress) as watch:
-        native = _hyzer.diagnose(dataset_of(data), model_of(model), asked, list(without), watch)
+        native = _hyzer.diagnose(dataset_of(data), model_of(model), asked, names(without), watch)
         return Diagnosis(native)

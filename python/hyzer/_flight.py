@@ -7,6 +7,7 @@ import os
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, cast
 
+from hyzer import _hyzer
 from hyzer._extras import extra
 from hyzer._records import Record
 
@@ -15,8 +16,6 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     import pandas as pd
     import xarray as xr
-
-    from hyzer import _hyzer
 
 
 class Flight:
@@ -47,13 +46,23 @@ class Flight:
     True
     """
 
-    def __init__(self, native: _hyzer.Flight) -> None:
+    def __init__(self, native: _hyzer.Flight, made: tuple[Any, ...] = ()) -> None:
         self._native = native
+        self._made = made
         self.names = tuple(native.names)
         self.units = tuple(native.units)
         self.duration = native.duration
         self.ended_by = native.ended_by
         self.events = native.events
+
+    @classmethod
+    def fly(cls, *made: Any) -> Flight:
+        """Simulate a flight; the arguments are those of the compiled function."""
+        return cls(_hyzer.fly(*made), made)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle what the flight was made of, which makes the same flight."""
+        return type(self).fly, self._made
 
     @cached_property
     def t(self) -> npt.NDArray[np.float64]:

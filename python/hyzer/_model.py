@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 from hyzer import _hyzer
+from hyzer._arguments import mapping, names, numbers
 from hyzer._flight import Flight
 from hyzer._release import Release
 
@@ -27,7 +28,7 @@ class Model(_hyzer.Model):
     source : str or path
         A built-in model by name (`disc`, `disc_quaternion`, `discus`, `ball`), the path of a file,
         or a text in the model language, which has more than one line.
-    effects : iterable of str
+    effects : iterable of str, or str
         Effects to add, by name or path: `hyzer effects` lists those that are built in.
     parameters : mapping of str to float
         Default values to replace, SI: constants, coefficients, components of inputs (`wind_x`).
@@ -73,11 +74,16 @@ class Model(_hyzer.Model):
     def __new__(
         cls,
         source: str | os.PathLike[str],
-        effects: Iterable[str] = (),
+        effects: Iterable[str] | str = (),
         parameters: Mapping[str, float] | None = None,
     ) -> Self:
         """Load and check the model."""
-        return super().__new__(cls, os.fspath(source), list(effects), parameters)
+        replaced = None if parameters is None else mapping(parameters, "parameters")
+        return super().__new__(cls, os.fspath(source), names(effects), replaced)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the names of which the model was made where all is built in, else its text."""
+        return type(self), self.made()
 
     def fly(
         self,
@@ -129,8 +135,8 @@ class Model(_hyzer.Model):
         True
         """
         name, text = Release.of(release).texts(self.name)
-        pairs = [(key, float(value)) for key, value in values.items()]
-        return Flight(_hyzer.fly(self, name, text, until, rate, tolerance, pairs))
+        pairs = list(numbers(values, "fly").items())
+        return Flight.fly(self, name, text, until, rate, tolerance, pairs)
 
     def ir(self) -> dict[str, Any]:
         """Return the compiled model as data: its functions as lists of statements.

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import html
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, SupportsIndex, cast, overload
 
 from hyzer._extras import extra
 
@@ -74,8 +75,15 @@ class Record(Mapping[str, Any]):
         return f"{type(self).__name__}({', '.join(values)})"
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the values as plain dicts, lists and numbers, as in the JSON of the report."""
-        return self._values()
+        """Return a copy of the values as dicts, lists and numbers, as in the JSON of the report."""
+        return copy.deepcopy(self._values())
+
+    def html(self) -> str:
+        """Return the values as a table of HTML, which a notebook shows."""
+        return _html([self._values()])
+
+    def _repr_html_(self) -> str:
+        return self.html()
 
 
 class Table(Record):
@@ -88,20 +96,42 @@ class Table(Record):
         frame.index = pandas.Index(list(self._values()))
         return cast("pd.DataFrame", frame)
 
-    def _repr_html_(self) -> str:
+    def html(self) -> str:
+        """Return the records as a table of HTML."""
         return _html([{"": name, **row} for name, row in self._values().items()])
 
 
 class Rows(list[Record]):
-    """Records in order, such as the flights of a fit."""
+    """Records in order, such as the flights of a fit; a slice has `to_pandas` too."""
+
+    @overload
+    def __getitem__(self, index: SupportsIndex) -> Record: ...
+    @overload
+    def __getitem__(self, index: slice) -> Rows: ...
+    def __getitem__(self, index: SupportsIndex | slice) -> Record | Rows:
+        """Return a record, or those of a slice."""
+        if isinstance(index, slice):
+            return Rows(super().__getitem__(index))
+        return super().__getitem__(index)
 
     def to_pandas(self) -> pd.DataFrame:
         """Return the records as the rows of a DataFrame."""
         rows = [record.to_dict() for record in self]
         return cast("pd.DataFrame", extra("pandas").json_normalize(rows))
 
-    def _repr_html_(self) -> str:
+    def html(self) -> str:
+        """Return the records as a table of HTML."""
         return _html([record.to_dict() for record in self])
+
+    def _repr_html_(self) -> str:
+        return self.html()
+
+
+def titled(result: Record, key: str) -> str:
+    """Return what a notebook shows of a result: its line, and the table that it has by a key."""
+    value = result.get(key)
+    inside = value.html() if isinstance(value, (Record, Rows)) else ""
+    return f"<p>{html.escape(repr(result))}</p>{inside}"
 
 
 def _html(rows: list[dict[str, Any]]) -> str:

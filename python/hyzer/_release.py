@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import os
+import reprlib
 from collections.abc import Iterable, Mapping
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from hyzer import _hyzer, _toml
+from hyzer._arguments import is_path, mapping, plain, seconds
+from hyzer._errors import InputError
+
+if TYPE_CHECKING:
+    from hyzer._analyses import AnyRelease
 
 
 class Release:
@@ -111,17 +117,19 @@ class Release:
         }
         self.name = "release"
         self._throw = {name: value for name, value in stated.items() if value is not None}
-        self._initial = initial
+        self._initial = None if initial is None else mapping(initial, "initial")
         self._until = until
         blown: Mapping[str, Any] = {"constant": wind} if wind is not None else {}
         if isinstance(wind, Mapping):
-            blown = cast("Mapping[str, Any]", wind)
+            blown = dict(cast("Mapping[str, Any]", wind))
         self._tables: dict[str, Mapping[str, Any]] = {
-            "parameters": parameters or {},
-            "coefficients": coefficients or {},
+            "parameters": mapping(parameters, "parameters"),
+            "coefficients": mapping(coefficients, "coefficients"),
             "wind": blown,
-            "known": known or {},
-            "inputs": {name: over_time(value) for name, value in (inputs or {}).items()},
+            "known": mapping(known, "known"),
+            "inputs": {
+                name: over_time(name, value) for name, value in mapping(inputs, "inputs").items()
+            },
         }
         self._text: str | None = None
 
@@ -150,9 +158,19 @@ class Release:
         """Return a release given by name, path, states or as an object."""
         if isinstance(release, Release):
             return release
-        if isinstance(release, Mapping):
-            return cls(release)
+        if isinstance(release, Mapping) or hasattr(release, "iloc"):
+            return cls(cast("Mapping[str, float]", release))
+        if not is_path(release):
+            found = type(release).__name__
+            raise InputError(f"release: found a {found}, expected a name, path, Release or mapping")
         return cls.read(release)
+
+    @classmethod
+    def several(cls, releases: AnyRelease | Iterable[AnyRelease]) -> list[Release]:
+        """Return one release or several as a list."""
+        is_one = isinstance(releases, (str, os.PathLike, Release, Mapping))
+        each = cast("Iterable[AnyRelease]", [releases] if is_one else releases)
+        return [cls.of(release) for release in each]
 
     def to_toml(self, model: str) -> str:
         """Return the text of a release file for a model, which `hyzer simulate --release` flies."""
@@ -176,17 +194,25 @@ class Release:
     def __repr__(self) -> str:
         if self._text is not None:
             return f"Release({self.name!r})"
-        values = self._throw if self._initial is None else self._initial
-        return f"Release({', '.join(f'{name}={value:g}' for name, value in values.items())})"
+        values = {**(self._initial or {}), **self._throw}
+        parts = [f"{name}={plain(value):g}" for name, value in values.items()]
+        parts += [f"{name}={reprlib.repr(value)}" for name, value in self._tables.items() if value]
+        parts += [] if self._until == "ground" else [f"until={self._until!r}"]
+        return f"Release({', '.join(parts)})"
 
 
-def over_time(value: Any) -> float | Mapping[str, Any]:
+def over_time(name: str, value: Any) -> float | Mapping[str, Any]:
     """Return an input in the form of a release file: a constant, or times and values."""
+    value = plain(value)
     if isinstance(value, Mapping):
         return cast("Mapping[str, Any]", value)
     if isinstance(value, int | float) or not hasattr(value, "__len__"):
         return float(value)
-    if hasattr(value, "index") and hasattr(value, "to_numpy"):
-        return {"t": list(value.index), "value": list(value.to_numpy())}
+    if hasattr(value, "iloc"):
+        value = (value.index, value.to_numpy())
+    if len(value) != 2:
+        raise InputError(
+            f"inputs: {name} has {len(value)} parts, expected the times and the values"
+        )
     t, values = value
-    return {"t": list(t), "value": list(values)}
+    return {"t": [*map(plain, seconds(t))], "value": [*map(plain, values)]}

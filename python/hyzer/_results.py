@@ -5,8 +5,9 @@ from __future__ import annotations
 import html
 import json
 import os
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
+from hyzer import _hyzer
 from hyzer._extras import extra
 from hyzer._model import Model
 from hyzer._records import Record, shown
@@ -14,8 +15,6 @@ from hyzer._records import Record, shown
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
-
-    from hyzer import _hyzer
 
 
 class Native(Protocol):
@@ -29,8 +28,12 @@ class Native(Protocol):
         """Return what the program prints."""
         ...
 
-    def page_html(self) -> str:
-        """Return the page of the report."""
+    def model_text(self) -> str | None:
+        """Return the fitted or extended model; `None` where there is none."""
+        ...
+
+    def files(self) -> list[tuple[str, bytes]]:
+        """Return the files of the program by their names."""
         ...
 
     def save_files(self, folder: str | os.PathLike[str]) -> None:
@@ -54,10 +57,6 @@ class Result(Record):
         """Return the result as the program prints it."""
         return self._native.summary_text()
 
-    def page(self) -> str:
-        """Return the page `report.html` of the program, a self-contained HTML text."""
-        return self._native.page_html()
-
     def save(self, folder: str | os.PathLike[str]) -> None:
         """Write the folder of the program: report, page, model, figures, tables.
 
@@ -73,12 +72,57 @@ class Result(Record):
         """
         self._native.save_files(folder)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the texts of the result."""
+        return type(self), (Saved(self._native, json.dumps(self._values())),)
+
     def _cautions_html(self) -> str:
         items = "".join(f"<li>{html.escape(caution)}</li>" for caution in self["cautions"])
         return f"<p>Do not rely on this result:</p><ul>{items}</ul>" if items else ""
 
 
-class Fit(Result):
+class Paged(Result):
+    """A result with a page."""
+
+    def page(self) -> str:
+        """Return the page `report.html` of the program, a self-contained HTML text."""
+        return dict(self._native.files())["report.html"].decode()
+
+
+class Saved:
+    """The texts of a result, in place of the compiled object."""
+
+    def __init__(self, native: Native, report: str) -> None:
+        self._report, self._summary = report, native.summary_text()
+        self._model, self._files = native.model_text(), native.files()
+
+    def report_json(self) -> str:
+        """Return the report."""
+        return self._report
+
+    def summary_text(self) -> str:
+        """Return what the program prints."""
+        return self._summary
+
+    def model_text(self) -> str | None:
+        """Return the fitted or extended model."""
+        return self._model
+
+    def files(self) -> list[tuple[str, bytes]]:
+        """Return the files of the program."""
+        return self._files
+
+    def file_text(self, name: str) -> str | None:
+        """Return the text of a file of the program."""
+        found = dict(self._files).get(name)
+        return None if found is None else found.decode()
+
+    def save_files(self, folder: str | os.PathLike[str]) -> None:
+        """Write the folder of the program."""
+        _hyzer.write_files(folder, self._files)
+
+
+class Fit(Paged):
     """Result of a fit. Attributes are the keys of `hyzer.fit/2`.
 
     Attributes
@@ -110,12 +154,10 @@ class Fit(Result):
     (8, 8)
     """
 
-    _native: _hyzer.Fit
-
     @property
     def fitted(self) -> Model:
         """The model with the estimates as its default values."""
-        return Model(self._native.model_text())
+        return Model(cast(str, self._native.model_text()))
 
     @property
     def estimated(self) -> list[str]:
@@ -178,7 +220,7 @@ class Fit(Result):
         return f"<p>{of}</p>{self._cautions_html()}<table><tbody>{rows}</tbody></table>"
 
 
-class Diagnosis(Result):
+class Diagnosis(Paged):
     """Result of a diagnosis. Attributes are the keys of `hyzer.diagnosis/2`.
 
     Attributes
@@ -212,8 +254,6 @@ class Diagnosis(Result):
     >>> found.predictive_gain.rms_after_m < 0.2 * found.predictive_gain.rms_before_m
     True
     """
-
-    _native: _hyzer.Diagnosis
 
     @property
     def causes(self) -> list[str]:

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
 import tempfile
+from collections import defaultdict
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast, overload
 
 from hyzer import _hyzer, _toml
+from hyzer._arguments import is_path, mapping, text_of
 from hyzer._errors import InputError
-from hyzer._extras import extra
+from hyzer._extras import extra, frame_of
+from hyzer._model import Model
 from hyzer._progress import Progress, Watching
-from hyzer._records import Record
+from hyzer._records import Record, titled
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -37,18 +39,18 @@ class Sweep(Record):
     def __init__(self, summary: str, table: str | None, folder: Path | None) -> None:
         super().__init__(json.loads(summary))
         self._table = table
-        self.folder = folder
+        self.folder = None if folder is None else folder.absolute()
 
     @cached_property
     def frame(self) -> pd.DataFrame:
         """The flights as a DataFrame, a row for each."""
-        pandas = extra("pandas")
         if self._table is not None:
-            return cast("pd.DataFrame", pandas.read_csv(io.StringIO(self._table)))
+            # The types of the columns of `flights.parquet`.
+            kinds: Any = defaultdict(lambda: float, flight=int, status=str)
+            return frame_of(self._table, dtype=kinds)
         # Where the sweep was written to a folder, its table is there.
-        return cast(
-            "pd.DataFrame", pandas.read_parquet(cast(Path, self.folder) / "flights.parquet")
-        )
+        found = extra("pandas").read_parquet(cast(Path, self.folder) / "flights.parquet")
+        return cast("pd.DataFrame", found)
 
     def to_pandas(self) -> pd.DataFrame:
         """Return the flights as a DataFrame, a row for each."""
@@ -56,6 +58,9 @@ class Sweep(Record):
 
     def __repr__(self) -> str:
         return f"<Sweep of {self['flights']} flights>"
+
+    def _repr_html_(self) -> str:
+        return titled(self, "columns")
 
 
 @overload
@@ -90,7 +95,8 @@ def sweep(
     ----------
     plan : str, path or mapping
         `backhands`, the built-in plan; a plan file; the text of one, which has more than one line;
-        or its keys and tables as a mapping: `docs/reference/sweep.md`.
+        or its keys and tables as a mapping: `docs/reference/sweep.md`. The model of a mapping is a
+        name, a path or a `Model`.
     out : path, optional
         Folder for `flights.parquet` and `summary.json`; a sweep that was ended goes on there.
         Without it the flights are kept in memory.
@@ -117,25 +123,35 @@ def sweep(
     """
     if part is not None and out is None:
         raise InputError("part needs out: the folder that the shares have in common")
-    of = _plan(plan)
-    with Watching(progress) as watch:
+    with tempfile.TemporaryDirectory() as made, Watching(progress) as watch:
+        of = _plan(plan, Path(made))
         if out is not None:
             summary = _hyzer.sweep(of, out, False, threads, part, watch)
             return None if summary is None else Sweep(summary, None, Path(out))
-        with tempfile.TemporaryDirectory() as made:
-            inside = Path(made) / "swept"
-            summary = _hyzer.sweep(of, inside, True, threads, None, watch)
-            table = (inside / "flights.csv").read_text(encoding="utf-8")
-            return Sweep(cast(str, summary), table, None)
+        inside = Path(made) / "swept"
+        summary = _hyzer.sweep(of, inside, True, threads, None, watch)
+        table = (inside / "flights.csv").read_text(encoding="utf-8")
+        return Sweep(cast(str, summary), table, None)
 
 
-def _plan(plan: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[str, str, str]:
-    """Return name, text and folder of a plan."""
-    if isinstance(plan, Mapping):
-        return "plan", _toml.document(plan), "."
+def _plan(plan: Any, made: Path) -> tuple[str, str, str]:
+    """Return name, text and folder of a plan; a model that is an object is written to `made`."""
+    if not is_path(plan):
+        keys, folder = mapping(plan, "plan"), "."
+        if isinstance(keys.get("model"), _hyzer.Model):
+            model = Model(keys["model"].text, keys.pop("effects", ()))
+            keys["model"], folder = f"{model.name}.hyz", str(made)
+            (made / keys["model"]).write_text(model.text, encoding="utf-8")
+            if "fit" in keys:
+                fitted = mapping(keys["fit"], "fit")
+                keys["fit"] = {**fitted, "report": os.path.abspath(fitted.get("report", ""))}
+        return "plan", _toml.document(keys), folder
     named = os.fspath(plan)
     if "\n" in named:
         return "plan", named, "."
     if named == "backhands" and not Path(named).is_file():
         return named, _hyzer.sweep_plan(), "."
-    return named, Path(named).read_text(encoding="utf-8"), str(Path(named).parent)
+    if not Path(named).is_file():
+        expected = "a plan file, the text of one, or the built-in plan backhands"
+        raise InputError(f"plan: found no file {named!r}, expected {expected}")
+    return named, text_of(named, "plan"), str(Path(named).parent)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from hyzer import _hyzer
+from hyzer._arguments import mapping
 from hyzer._dataset import Dataset
 from hyzer._model import Model, model_of
 from hyzer._release import Release
@@ -69,16 +69,14 @@ def synthesize(
     (3, '1')
     """
     of = model_of(model) or Model("disc")
-    is_one = isinstance(releases, (str, os.PathLike, Release, Mapping))
-    several = cast("Sequence[AnyRelease]", [releases] if is_one else releases)
-    texts = [Release.of(release).texts(of.name) for release in several]
+    texts = [release.texts(of.name) for release in Release.several(releases)]
     asked = {
         "flights": flights,
         "held_out": held_out,
         "spread": spread,
         "duration": duration,
         "rate": rate,
-        "markers": [(name, list(at)) for name, at in (markers or {}).items()],
+        "markers": [(name, list(at)) for name, at in mapping(markers, "markers").items()],
         "noise_sigma": noise_sigma,
         "noise_ar1": noise_ar1,
         "outliers": outliers,

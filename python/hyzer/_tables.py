@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, cast
 
 from hyzer import _hyzer, _toml
+from hyzer._arguments import file_of, mapping, names, plain, seconds, selected
 from hyzer._errors import InputError
 
 if TYPE_CHECKING:
@@ -23,18 +24,40 @@ _ENDINGS = {
 }
 
 
-def named(flights: Sequence[Any] | Mapping[str, Any]) -> dict[str, Any]:
-    """Return flights by the names of their files."""
-    if isinstance(flights, Mapping):
-        return dict(flights)
-    return {f"flight{k:02}.csv": flight for k, flight in enumerate(flights, start=1)}
+def named(flights: Any) -> tuple[dict[str, Any], dict[Any, str]]:
+    """Return flights by the names of their files, and these names by the keys of the flights."""
+    if not isinstance(flights, Mapping):
+        flights = [flights] if hasattr(flights, "columns") else flights
+        found = {f"flight{k:02}.csv": flight for k, flight in enumerate(flights, start=1)}
+        return found, {file: file for file in found}
+    by_key = cast("Mapping[Any, Any]", flights)
+    files = {plain(key): _file(plain(key)) for key in by_key}
+    if len(set(files.values())) < len(files):
+        raise InputError("found flights of the same name, expected a name for each")
+    return dict(zip(files.values(), by_key.values(), strict=True)), files
+
+
+def _file(key: Any) -> str:
+    """Return the name of the file of a flight: its key, or what `groupby` made of it."""
+    if isinstance(key, str):
+        return key
+    parts = cast("tuple[Any, ...]", key) if isinstance(key, tuple) else (key,)
+    return "_".join(str(plain(part)) for part in parts) + ".csv"
 
 
 def text_of(file: str, frame: pd.DataFrame) -> str:
     """Return the text of the table of a flight; `file` names it in messages."""
+    if not hasattr(frame, "columns"):
+        raise InputError(f"{file}: found a {type(frame).__name__}, expected a DataFrame")
     is_indexed = "t" not in frame.columns and frame.index.name == "t"
+    given = cast("Any", frame)
+    times: Any = given.index if is_indexed else given.get("t")
+    since = seconds(times)
+    if since is not times:
+        given = given.reset_index(drop=not is_indexed).assign(t=since)
+        is_indexed = False
     try:
-        text: str = cast("Any", frame).to_csv(index=is_indexed)
+        text: str = given.to_csv(index=is_indexed)
         text.encode()
     except (csv.Error, UnicodeEncodeError) as error:
         raise InputError(f"{file}: found a cell that is no text of a table: {error}") from error
@@ -47,68 +70,63 @@ def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, st
     import numpy as np
 
     columns: list[tuple[str, list[str], npt.ArrayLike]] = []
-    for name, values in flight.items():
+    for name, values in mapping(flight, file).items():
         # What belongs to no marker and no sensor is an input over time, if it is a series.
         is_series = name not in kinds and np.ndim(values) == 1
         endings = ("",) if is_series else _ENDINGS.get(kinds.get(name, ""))
         if endings is None:
             known = ", ".join(["t", *kinds])
             raise InputError(f"{file}: found the array {name!r}, expected one of {known}")
-        columns.append((f"{file}: {name}", [name + ending for ending in endings], values))
+        given = seconds(values) if name == "t" else values
+        columns.append((f"{file}: {name}", [name + ending for ending in endings], given))
     return _hyzer.table_text(columns)
 
 
 def manifest(
-    files: Sequence[str],
-    model: str,
+    files: Mapping[Any, str],
+    model: str | os.PathLike[str],
     markers: Mapping[str, Any] | None = None,
     sensors: Mapping[str, Any] | None = None,
     parameters: Mapping[str, float] | None = None,
     sigma: float | None = None,
-    held_out: Iterable[str | int] | None = None,
-    known: Mapping[str | int, Mapping[str, Any]] | None = None,
+    held_out: Any = (),
+    known: Mapping[Any, Mapping[str, Any]] | None = None,
     recording: Mapping[str, Any] | None = None,
-    unknown: Iterable[str] | Mapping[str | int, Iterable[str]] | None = None,
-    inputs: Mapping[str | int, str] | None = None,
+    unknown: Iterable[str] | str | Mapping[Any, Iterable[str] | str] | None = None,
+    inputs: Mapping[Any, str] | None = None,
     interpolation: str | None = None,
 ) -> str:
-    """Return the text of dataset.toml; `inputs` are the files of the inputs over time."""
+    """Return the text of dataset.toml.
+
+    `files` are those of the flights by their keys, `inputs` those of the inputs over time.
+    """
     parts = [f"model = {_toml.text(os.fspath(model))}\n"]
-    of_flights: Mapping[str | int, Iterable[str]] = {}
+    of_flights: dict[Any, list[str]] = {}
     if isinstance(unknown, Mapping):
-        of_flights = cast("Mapping[str | int, Iterable[str]]", unknown)
-    if unknown is not None and not isinstance(unknown, Mapping):
-        parts.append(f"unknown = {_toml.text(list(unknown))}\n")
+        by_flight = cast("Mapping[Any, Iterable[str] | str]", unknown)
+        of_flights = {flight: names(each) for flight, each in by_flight.items()}
+    elif unknown is not None:
+        parts.append(f"unknown = {_toml.text(names(unknown))}\n")
     if interpolation is not None:
         parts.append(_toml.table("[inputs]", {"interpolation": interpolation}))
-    parts.append(_toml.table("[parameters]", parameters or {}))
-    parts.append(_toml.table("[recording]", recording or {}))
-    for marker, position in (markers or {}).items():
+    parts.append(_toml.table("[parameters]", mapping(parameters, "parameters")))
+    parts.append(_toml.table("[recording]", mapping(recording, "recording")))
+    for marker, position in mapping(markers, "markers").items():
         parts.append(_toml.table("[[markers]]", {"name": marker, "position": position}))
-    for sensor, about in (sensors or {}).items():
+    for sensor, about in mapping(sensors, "sensors").items():
         parts.append(_toml.table("[[sensors]]", {"name": sensor, **about}))
     parts.append(_toml.table("[noise]", {} if sigma is None else {"sigma": sigma}))
-    apart = {_file(flight, files) for flight in held_out or ()}
-    own: dict[str, dict[str, Any]] = {file: {} for file in files}
-    stated: list[tuple[str, Mapping[str | int, Any]]] = [
-        ("known", known or {}),
+    apart = set(selected(held_out, files, "held_out"))
+    own: dict[str, dict[str, Any]] = {file: {} for file in files.values()}
+    stated: list[tuple[str, Mapping[Any, Any]]] = [
+        ("known", mapping(known, "known")),
         ("unknown", of_flights),
         ("inputs", inputs or {}),
     ]
     for key, values in stated:
         for flight, value in values.items():
-            own[_file(flight, files)][key] = value
-    for file in files:
+            own[file_of(flight, files, key)][key] = value
+    for file in files.values():
         about = {"file": file, "role": "held-out" if file in apart else "fit"}
         parts.append(_toml.table("[[flights]]", {**about, **own[file]}))
     return "".join(parts)
-
-
-def _file(flight: str | int, files: Sequence[str]) -> str:
-    """Return the name of a flight given by name or number."""
-    if isinstance(flight, str) and flight in files:
-        return flight
-    if isinstance(flight, int) and 0 <= flight < len(files):
-        return files[flight]
-    expected = f"one of {', '.join(files)} or its number from 0"
-    raise InputError(f"found the flight {flight!r}, expected {expected}")

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterable, Mapping
 from typing import Any, cast
 
+from hyzer._arguments import is_path, plain
 
-def text(value: object) -> str:
+
+def text(value: Any) -> str:
     """Return the text of a TOML value: a string, boolean, number, list or inline table."""
+    value = os.fspath(value) if is_path(value) else plain(value)
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, bool):
         return str(value).lower()
-    if isinstance(value, Mapping):
+    if isinstance(value, Mapping) or hasattr(value, "iloc"):
+        # A pandas Series is a mapping by its labels.
         items = cast("Mapping[Any, Any]", value)
         each = (f"{text(str(name))} = {text(item)}" for name, item in items.items())
         return "{ " + ", ".join(each) + " }"

@@ -14,7 +14,7 @@ use identify::Progress;
 use pyo3::prelude::*;
 
 use crate::dataset::Dataset;
-use crate::errors::{input, raise, raise_named};
+use crate::errors::{self, input, raise, raise_or};
 use crate::fit::{Options, model_of};
 use crate::flight::released;
 use crate::model::Model;
@@ -64,8 +64,9 @@ pub fn design(
     py: Python<'_>,
     model: &Bound<'_, Model>,
     goal_name: &str,
-    options: DesignOptions,
+    options: &Bound<'_, PyAny>,
 ) -> PyResult<(Report, Vec<String>)> {
+    let options: DesignOptions = errors::options(options)?;
     let goal = goal(goal_name, options.target)?;
     let (starts, samples) = (options.starts, options.samples);
     if !(1..=100_000).contains(&starts) || samples > 1_000_000 {
@@ -108,7 +109,7 @@ pub fn design(
             Ok((report, made.left_out.clone()))
         })
     })?;
-    found.map_err(|error| raise_named(error, &[("wind", "wind"), ("fit", "fit")]))
+    found.map_err(|error| raise_or("InputError", error))
 }
 
 /// Modes and criteria of stability at a release.
@@ -124,7 +125,9 @@ pub fn stability(
     if times > 100_000 {
         return Err(input(format!("times is {times}, expected at most 100000")));
     }
-    let (checked, _, release) = released(model.get(), name, text)?;
+    // A model without attitude is told before a throw with spin, which the caller may not have stated.
+    Body::new((*model.get().checked).clone()).map_err(raise)?;
+    let (checked, _, release) = released(py, model.get(), name, text, &[])?;
     let found = work::run(py, None, move |_| -> anyhow::Result<Report> {
         let body = Body::new((*checked).clone())?;
         let (found, _) = program::stability::found(&body, &release, times)?;
@@ -204,20 +207,21 @@ pub fn bootstrap(
     py: Python<'_>,
     dataset: &Bound<'_, Dataset>,
     model: Option<&Bound<'_, Model>>,
-    options: Options,
+    options: &Bound<'_, PyAny>,
     refits: u64,
     seed: u64,
     out: Option<PathBuf>,
     part: Option<Share>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Option<Report>> {
-    options.check()?;
+    let options = Options::of(options)?;
     check_share(part)?;
     if !(2..=1_000_000).contains(&refits) {
         return Err(input(format!("refits is {refits}, expected 2 to 1000000")));
     }
     let dataset = dataset.get();
     let (model, data) = (model_of(model, dataset)?, Arc::clone(&dataset.data));
+    errors::warn(py, &program::fit::overruled_by(&model, &data))?;
     let found = work::run(py, progress, move |watch| {
         options.with(watch, |options| -> anyhow::Result<Option<Report>> {
             let begin = |refits: u64| watch.stage_started("refits", refits as usize);

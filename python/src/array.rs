@@ -37,7 +37,8 @@ impl Rows<'_> {
 
 /// The numbers of an array and its shape. `what` names the array in messages.
 pub fn numbers<'py>(array: &Bound<'py, PyAny>, what: &str) -> PyResult<(Numbers<'py>, Vec<usize>)> {
-    if let Ok(array) = array.cast::<PyArrayDyn<f64>>()
+    if array.is_exact_instance_of::<PyArrayDyn<f64>>()
+        && let Ok(array) = array.cast::<PyArrayDyn<f64>>()
         && array.is_c_contiguous()
         && let Ok(array) = array.try_readonly()
         && array.as_slice().is_ok()
@@ -46,6 +47,13 @@ pub fn numbers<'py>(array: &Bound<'py, PyAny>, what: &str) -> PyResult<(Numbers<
         return Ok((Numbers(array), shape));
     }
     let numpy = array.py().import("numpy")?;
+    // What is masked has no value.
+    let array = &match array.getattr("mask").is_ok() && array.getattr("filled").is_ok() {
+        true => array
+            .call_method1("astype", ("float64",))?
+            .call_method1("filled", (f64::NAN,))?,
+        false => array.clone(),
+    };
     let found = numpy
         .call_method1("asarray", (array,))
         .map_err(|error| input(format!("{what}: {error}, expected an array of float64")))?;
@@ -64,9 +72,57 @@ pub fn numbers<'py>(array: &Bound<'py, PyAny>, what: &str) -> PyResult<(Numbers<
     Ok((Numbers(found), shape))
 }
 
+/// Labels of the elements of a Series, or of the columns of a DataFrame: `None` where one is no name. Nothing of other
+/// arrays, or where the labels are numbers.
+pub fn labels(array: &Bound<'_, PyAny>) -> PyResult<Option<Vec<Option<String>>>> {
+    if array.is_exact_instance_of::<PyArrayDyn<f64>>() || !array.hasattr("iloc")? {
+        return Ok(None);
+    }
+    let is_frame = array.hasattr("columns")?;
+    let labels = array.getattr(if is_frame { "columns" } else { "index" })?;
+    let kind = labels.getattr("dtype")?.getattr("kind")?;
+    if matches!(kind.extract::<&str>()?, "i" | "u") {
+        return Ok(None);
+    }
+    let each = labels.try_iter()?;
+    let each = each.map(|label| Ok(label?.extract::<String>().ok()));
+    each.collect::<PyResult<Vec<_>>>().map(Some)
+}
+
+/// An array whose elements, or columns, are in the order of `names`: by their labels, if it has some.
+pub fn in_order<'py>(
+    array: &Bound<'py, PyAny>,
+    what: &str,
+    names: &[String],
+) -> PyResult<Bound<'py, PyAny>> {
+    let Some(labels) = labels(array)? else {
+        return Ok(array.clone());
+    };
+    let is_name = |label: &Option<String>| label.as_ref().is_some_and(|own| names.contains(own));
+    let at = |name: &String| labels.iter().position(|label| label.as_ref() == Some(name));
+    let order: Option<Vec<usize>> = names.iter().map(at).collect();
+    let Some(order) = order.filter(|_| labels.len() == names.len() && labels.iter().all(is_name))
+    else {
+        let found: Vec<&str> = labels
+            .iter()
+            .map(|own| own.as_deref().unwrap_or("?"))
+            .collect();
+        return Err(input(format!(
+            "{what} has the labels {}, expected {}; or no labels, as of to_numpy(), in this order",
+            found.join(", "),
+            names.join(", ")
+        )));
+    };
+    let numpy = array.py().import("numpy")?;
+    numpy.call_method1(
+        "take",
+        (numpy.call_method1("asarray", (array,))?, order, -1),
+    )
+}
+
 /// A vector with a number for each of `names`, or several as the rows of an array; all numbers are finite.
 pub fn rows<'py>(array: &Bound<'py, PyAny>, what: &str, names: &[String]) -> PyResult<Rows<'py>> {
-    let (numbers, shape) = numbers(array, what)?;
+    let (numbers, shape) = numbers(&in_order(array, what, names)?, what)?;
     let n = names.len();
     let rows = match shape[..] {
         [len] if len == n => None,
@@ -83,21 +139,17 @@ pub fn rows<'py>(array: &Bound<'py, PyAny>, what: &str, names: &[String]) -> PyR
     Ok(Rows { numbers, rows })
 }
 
-/// One vector of `n` numbers, all finite; `name` names each.
-pub fn vector(
-    array: &Bound<'_, PyAny>,
-    what: &str,
-    n: usize,
-    name: impl Fn(usize) -> String,
-) -> PyResult<Vec<f64>> {
-    let (values, shape) = numbers(array, what)?;
+/// One vector with a number for each of `names`, all finite.
+pub fn vector(array: &Bound<'_, PyAny>, what: &str, names: &[String]) -> PyResult<Vec<f64>> {
+    let n = names.len();
+    let (values, shape) = numbers(&in_order(array, what, names)?, what)?;
     if shape[..] != [n] {
         let found = shape_text(&shape);
         return Err(input(format!(
             "{what} has the shape {found}, expected ({n},)"
         )));
     }
-    finite(values.values(), what, name, n)?;
+    finite(values.values(), what, |index| names[index].clone(), n)?;
     Ok(values.values().to_vec())
 }
 

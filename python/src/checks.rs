@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use ::verify::difference::{compare, landing, operations};
+use ::verify::difference::{compare, landing_of_text, operations};
 use flight::files::ResultFile;
 use model_spec::LoadError;
 use model_spec::load::{inspect, inspect_text};
@@ -28,9 +28,9 @@ pub fn verify(
         return Err(input(format!("cases is {cases}, expected 1 to 100000")));
     }
     let model = model.get();
-    let (name, text) = (model.checked.name.clone(), model.tree.to_text(""));
+    let (name, text) = (model.shown(), model.tree.to_text(""));
     let found = work::run(py, None, move |_| -> anyhow::Result<Report> {
-        let loaded = inspect_text(&format!("{name}.hyz"), &text, &[])?;
+        let loaded = inspect_text(&name, &text, &[])?;
         let options = ::verify::Options {
             cases,
             seed,
@@ -94,11 +94,12 @@ pub fn diff(
     py: Python<'_>,
     old: Compared<'_>,
     new: Compared<'_>,
-    releases: Vec<String>,
+    releases: Vec<(String, String)>,
 ) -> PyResult<Report> {
     let ((old, old_faults), (new, new_faults)) = (old.load()?, new.load()?);
     let found = work::run(py, None, move |_| -> anyhow::Result<Report> {
-        let landings = releases.iter().map(|release| landing(release, &old, &new));
+        let landings = releases.iter();
+        let landings = landings.map(|(name, text)| landing_of_text(name, text, &old, &new));
         let landings = landings.collect::<Result<Vec<_>, _>>()?;
         let mut difference = compare(&old, &new);
         difference.set_unit_faults(&old_faults, &new_faults);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use dataset::Dataset as Data;
+use dataset::{Dataset as Data, Role};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -30,6 +30,9 @@ pub struct Dataset {
     pub decisions: String,
 }
 
+/// Further files, comments and decisions of a dataset.
+type About = (Vec<(String, String)>, Vec<String>, String);
+
 impl Dataset {
     /// A dataset with a name in reports.
     pub fn of(data: Data, name: String, folder: Option<PathBuf>) -> Dataset {
@@ -47,10 +50,63 @@ impl Dataset {
 #[pymethods]
 impl Dataset {
     #[new]
-    #[pyo3(signature = (manifest, tables, name = String::new()))]
-    fn new(manifest: &str, tables: BTreeMap<String, String>, name: String) -> PyResult<Dataset> {
+    #[pyo3(signature = (manifest, tables, name = String::new(), folder = None, about = Default::default()))]
+    fn new(
+        manifest: &str,
+        tables: BTreeMap<String, String>,
+        name: String,
+        folder: Option<PathBuf>,
+        about: About,
+    ) -> PyResult<Dataset> {
         let data = dataset::from_texts(manifest, &tables).map_err(raise)?;
-        Ok(Dataset::of(data, name, None))
+        let (beside, comments, decisions) = about;
+        Ok(Dataset {
+            beside,
+            comments,
+            decisions,
+            ..Dataset::of(data, name, folder)
+        })
+    }
+
+    /// What `new` makes the same dataset of.
+    fn parts(
+        &self,
+    ) -> (
+        String,
+        BTreeMap<String, String>,
+        &str,
+        Option<&PathBuf>,
+        About,
+    ) {
+        let (manifest, tables) = self.texts();
+        let about = (
+            self.beside.clone(),
+            self.comments.clone(),
+            self.decisions.clone(),
+        );
+        (
+            manifest,
+            tables.into_iter().collect(),
+            &self.name,
+            self.folder.as_ref(),
+            about,
+        )
+    }
+
+    /// The dataset with flights, by their files, that a fit does not use.
+    fn held_out(&self, files: Vec<String>) -> Dataset {
+        let mut data = (*self.data).clone();
+        for flight in &mut data.flights {
+            if files.contains(&flight.file) {
+                flight.role = Role::HeldOut;
+            }
+        }
+        Dataset {
+            beside: self.beside.clone(),
+            comments: self.comments.clone(),
+            decisions: self.decisions.clone(),
+            ..Dataset::of(data, self.name.clone(), self.folder.clone())
+        }
     }
 
     #[staticmethod]

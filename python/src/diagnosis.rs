@@ -10,9 +10,10 @@ use hyzer::program;
 use pyo3::prelude::*;
 
 use crate::dataset::Dataset;
-use crate::errors::raise;
+use crate::errors::{raise, with_keywords};
 use crate::fit::{Options, model_of, write};
 use crate::model::Model;
+use crate::report::named;
 use crate::work;
 
 /// Result of a diagnosis.
@@ -40,12 +41,12 @@ impl Diagnosis {
 #[pymethods]
 impl Diagnosis {
     fn report_json(&self) -> PyResult<String> {
-        self.with(|found| serde_json::to_string(&found.report))
-            .map_err(raise)
+        let json = self.with(|found| serde_json::to_string(&found.report));
+        Ok(with_keywords(&json.map_err(raise)?))
     }
 
     fn summary_text(&self) -> String {
-        self.with(|found| report::diagnosis::text(&found.report))
+        with_keywords(&self.with(|found| report::diagnosis::text(&found.report)))
     }
 
     fn model_text(&self) -> PyResult<Option<String>> {
@@ -56,13 +57,9 @@ impl Diagnosis {
         text.transpose().map_err(raise)
     }
 
-    fn page_html(&self, py: Python<'_>) -> PyResult<String> {
-        let page = self
-            .files(py)?
-            .into_iter()
-            .find(|file| file.path == "report.html");
-        let page = page.map(|file| String::from_utf8_lossy(&file.contents).into_owned());
-        Ok(page.unwrap_or_default())
+    #[pyo3(name = "files")]
+    fn named_files(&self, py: Python<'_>) -> PyResult<Vec<(String, Vec<u8>)>> {
+        Ok(named(self.files(py)?))
     }
 
     fn save_files(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
@@ -77,11 +74,11 @@ pub fn diagnose(
     py: Python<'_>,
     dataset: &Bound<'_, Dataset>,
     model: Option<&Bound<'_, Model>>,
-    options: Options,
+    options: &Bound<'_, PyAny>,
     without: Vec<String>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Diagnosis> {
-    options.check()?;
+    let options = Options::of(options)?;
     let dataset = dataset.get();
     let model = model_of(model, dataset)?;
     let (data, name) = (Arc::clone(&dataset.data), dataset.name.clone());

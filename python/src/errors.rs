@@ -1,5 +1,8 @@
 //! Errors as Python exceptions, with their place and hint; the classes are in `hyzer/_errors.py`.
 
+use std::ffi::CString;
+
+use analysis::design::DesignError;
 use analysis::sweep::SweepError;
 use anyhow::Error;
 use dataset::InputError;
@@ -11,6 +14,7 @@ use identify::FitError;
 use model_spec::LoadError;
 use model_spec::diagnostic::{Diagnostic, Source};
 use model_spec::location::line_and_column;
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -57,27 +61,98 @@ pub fn raise_or(class: &'static str, error: impl Into<Error>) -> PyErr {
     build(known.unwrap_or_else(|| About::of(class)), &text)
 }
 
-/// The exception for an error whose message names options of the program; `names` are the keyword arguments instead.
-pub fn raise_named(error: anyhow::Error, names: &[(&str, &str)]) -> PyErr {
-    let text = format!("{error:#}");
-    let named = with_keywords(&text, names);
-    if named == text {
-        return raise_or("InputError", error);
+/// Options of the program in its messages, with the keyword arguments that stand for them.
+const KEYWORDS: [(&str, &str); 27] = [
+    ("centre-height", "centre_height="),
+    ("fit", "fit="),
+    ("format", "format="),
+    ("free", "free="),
+    ("held-out", "held_out="),
+    ("hold", "fixed="),
+    ("label", "labels="),
+    ("left-handed", "left_handed=True"),
+    ("length", "length="),
+    ("markers", "markers="),
+    ("max-seconds", "max_seconds="),
+    ("model", "model="),
+    ("noise-ar1", "noise_ar1="),
+    ("noise-sigma", "noise_sigma="),
+    ("out", "out="),
+    ("outlier-size", "outlier_size="),
+    ("prior", "priors="),
+    ("profile", "profiles="),
+    ("rate", "rate="),
+    ("target", "target="),
+    ("threads", "threads="),
+    ("time", "time="),
+    ("trust-data", "trust_data=True"),
+    ("unbounded", "unbounded=True"),
+    ("up", "up="),
+    ("wind", "wind="),
+    ("without", "without="),
+];
+
+/// A text with keyword arguments in place of options of the program: `length=` for `the option --length`, `up='+z'` for
+/// `--up +z`, `noise_sigma:` for `noise-sigma:` at its beginning.
+pub fn with_keywords(text: &str) -> String {
+    let keyword = |option: &str| KEYWORDS.iter().find(|(own, _)| *own == option);
+    let mut parts = text.split("--");
+    let first = parts.next().unwrap_or_default();
+    let mut named = match first.split_once(": ") {
+        Some((option, rest)) if option.contains('-') && keyword(option).is_some() => {
+            format!("{}: {rest}", option.replace('-', "_"))
+        }
+        _ => first.to_owned(),
+    };
+    for part in parts {
+        let end = part.find(|c: char| !(c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-'));
+        let (option, rest) = part.split_at(end.unwrap_or(part.len()));
+        let Some((_, keyword)) = keyword(option) else {
+            named += "--";
+            named += part;
+            continue;
+        };
+        for words in ["the option ", "option "] {
+            named.truncate(named.strip_suffix(words).unwrap_or(&named).len());
+        }
+        let axis = rest
+            .get(1..3)
+            .filter(|axis| option == "up" && axis.starts_with(['+', '-']));
+        named += &match axis {
+            Some(axis) => format!("up='{axis}'{}", &rest[3..]),
+            None if rest.starts_with(':') => format!("{}{rest}", keyword.trim_end_matches('=')),
+            None => format!("{keyword}{rest}"),
+        };
     }
-    let about = error.chain().find_map(about);
-    build(about.unwrap_or_else(|| About::of("InputError")), &named)
+    named
 }
 
-/// A text with keyword arguments in place of options of the program: `length=` for `the option --length`.
-pub fn with_keywords(text: &str, names: &[(&str, &str)]) -> String {
-    let mut text = text.to_owned();
-    for (option, keyword) in names {
-        for before in ["the option --", "option --", "--"] {
-            text = text.replace(&format!("{before}{option}:"), &format!("{keyword}:"));
-            text = text.replace(&format!("{before}{option}"), &format!("{keyword}="));
-        }
+/// Options of a dict that Python states; a wrong one is named as the argument that it is.
+pub fn options<'py, T: FromPyObjectOwned<'py>>(from: &Bound<'py, PyAny>) -> PyResult<T> {
+    from.extract::<T>().map_err(|error| {
+        let error: PyErr = error.into();
+        let text = error.value(from.py()).to_string();
+        let Some((_, name)) = text.rsplit_once('.') else {
+            return error;
+        };
+        let found = from.get_item(name).and_then(|found| found.repr());
+        let found = found.map_or_else(|_| "?".into(), |found| found.to_string());
+        let why = error
+            .cause(from.py())
+            .map(|why| why.value(from.py()).to_string());
+        let why = why.unwrap_or_else(|| text.clone());
+        input(format!("{name} is {found}: {why}"))
+    })
+}
+
+/// Warns of what the caller may not expect.
+pub fn warn(py: Python<'_>, notes: &[String]) -> PyResult<()> {
+    let class = py.get_type::<PyUserWarning>();
+    for note in notes {
+        let text = CString::new(note.as_str()).unwrap_or_default();
+        PyErr::warn(py, &class, &text, 2)?;
     }
-    text
+    Ok(())
 }
 
 /// The exception `InputError` for an argument: what was found and what was expected.
@@ -91,6 +166,7 @@ pub fn of_class(class: &'static str, text: &str) -> PyErr {
 }
 
 fn build(about: About, text: &str) -> PyErr {
+    let text = &with_keywords(text);
     Python::attach(|py| exception(py, about, text).unwrap_or_else(|error| error))
 }
 
@@ -181,6 +257,9 @@ fn class_of(error: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
             _ => "InputError",
         });
     }
+    if let Some(DesignError::NotFinite(_)) = error.downcast_ref() {
+        return Some("InputError");
+    }
     if let Some(error) = error.downcast_ref::<SynthesisError>() {
         let is_flight = matches!(error, SynthesisError::Flight { .. });
         return Some(if is_flight {
@@ -198,7 +277,7 @@ fn class_of(error: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
     let is_flight = error.is::<ode::IntegrationError>()
         || error.is::<flight::throw::ThrowError>()
         || error.is::<analysis::design::ThrowFlightError>()
-        || error.is::<analysis::design::DesignError>()
+        || error.is::<DesignError>()
         || error.is::<analysis::stability::StabilityError>();
     is_flight.then_some("FlightError")
 }

@@ -13,8 +13,9 @@ use model_spec::model::Model as Checked;
 use pyo3::prelude::*;
 
 use crate::dataset::Dataset;
-use crate::errors::{input, raise};
+use crate::errors::{input, raise, with_keywords};
 use crate::model::Model;
+use crate::report::named;
 use crate::work::{self, Watch};
 
 /// Options of a fit, as Python states them.
@@ -32,13 +33,14 @@ pub struct Options {
 }
 
 impl Options {
-    /// Checks what the options of the library cannot hold.
-    pub fn check(&self) -> PyResult<()> {
-        match self.max_seconds {
+    /// The options of a dict, with the checks of what those of the library cannot hold.
+    pub fn of(options: &Bound<'_, PyAny>) -> PyResult<Options> {
+        let found: Options = crate::errors::options(options)?;
+        match found.max_seconds {
             Some(seconds) if !(seconds > 0.0 && seconds.is_finite()) => Err(input(format!(
                 "max_seconds is {seconds}, expected a number above 0"
             ))),
-            _ => Ok(()),
+            _ => Ok(found),
         }
     }
 
@@ -107,22 +109,21 @@ impl Fit {
 #[pymethods]
 impl Fit {
     fn report_json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.fit.report).map_err(raise)
+        let json = serde_json::to_string(&self.fit.report).map_err(raise)?;
+        Ok(with_keywords(&json))
     }
 
     fn summary_text(&self) -> String {
-        program::fit::text(&self.fit, &self.model)
+        with_keywords(&program::fit::text(&self.fit, &self.model))
     }
 
     fn model_text(&self) -> PyResult<String> {
         self.fitted_text()
     }
 
-    fn page_html(&self, py: Python<'_>) -> PyResult<String> {
-        let files = self.files(py)?;
-        let page = files.into_iter().find(|file| file.path == "report.html");
-        let page = page.map(|file| String::from_utf8_lossy(&file.contents).into_owned());
-        Ok(page.unwrap_or_default())
+    #[pyo3(name = "files")]
+    fn named_files(&self, py: Python<'_>) -> PyResult<Vec<(String, Vec<u8>)>> {
+        Ok(named(self.files(py)?))
     }
 
     fn save_files(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
@@ -145,10 +146,10 @@ pub fn fit(
     py: Python<'_>,
     dataset: &Bound<'_, Dataset>,
     model: Option<&Bound<'_, Model>>,
-    options: Options,
+    options: &Bound<'_, PyAny>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Fit> {
-    options.check()?;
+    let options = Options::of(options)?;
     let dataset = dataset.get();
     let model = model_of(model, dataset)?;
     let (data, name) = (Arc::clone(&dataset.data), dataset.name.clone());
@@ -157,6 +158,8 @@ pub fn fit(
         options.with(watch, |options| {
             let mut fit = identify::fit(&of, &on, options)?;
             fit.report.dataset = name;
+            let notes = program::fit::overruled_by(&of, &on);
+            fit.report.notes.extend(notes);
             fit.with_lack_of_fit(options.threads())
         })
     })?;

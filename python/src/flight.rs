@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use flight::release::{self, Release, Stop, Vocabulary, quaternion_fault};
+use dataset::AXES;
+use flight::release::{self, Release, Stop, Vocabulary, overruled, quaternion_fault};
 use flight::throw::FlownThrow;
 use flight::{CompiledModel, simulate};
 use hyzer::program::simulate::{Simulated, files, summary_json};
@@ -12,7 +13,7 @@ use ode::{IntegrationOptions, Trajectory};
 use pyo3::prelude::*;
 
 use crate::array::{array, numbers, points};
-use crate::errors::{input, raise};
+use crate::errors::{input, raise, warn};
 use crate::fit::write;
 use crate::model::Model;
 use crate::work;
@@ -35,15 +36,22 @@ pub struct Flight {
     tolerance: f64,
 }
 
-/// A release of a model from the text of a release file, and the model to fly it with: a wind changes the model.
+/// A release of a model from the text of a release file, and the model to fly it with: a wind changes the model. Warns of
+/// values of the model that the release overrules, but for those that are `set` anyway.
 pub fn released(
+    py: Python<'_>,
     model: &Model,
     name: &str,
     text: &str,
+    set: &[(String, f64)],
 ) -> PyResult<(Arc<Checked>, Option<Arc<CompiledModel>>, Release)> {
     let vocabulary = Vocabulary::of(&model.checked);
     let (release, vocabulary) =
         release::read_in_wind(name, text, &[], |_| Ok(vocabulary)).map_err(raise)?;
+    let stated = release.parameters.iter().chain(&release.coefficients);
+    let stated = stated.filter(|(name, _)| !set.iter().any(|(own, _)| own == name));
+    let stated = stated.map(|(name, value)| (name, value));
+    warn(py, &overruled(&model.replaced(), stated, "the release"))?;
     match vocabulary.model.filter(|_| release.wind_field.is_some()) {
         Some(composed) => Ok((composed, None, release)),
         None => Ok((model.checked.clone(), Some(model.compiled_model()), release)),
@@ -88,8 +96,12 @@ fn set(release: &mut Release, model: &Checked, values: Vec<(String, f64)>) -> Py
         }
         let Some(state) = release.initial.iter_mut().find(|(known, _)| *known == name) else {
             let states = vocabulary.states.iter().map(String::as_str);
+            let inputs = model.inputs.iter();
+            let inputs = inputs.flat_map(|own| AXES.map(|axis| format!("{}_{axis}", own.name)));
+            let inputs: Vec<String> = inputs.collect();
             let known = constants
                 .map(|constant| constant.name.as_str())
+                .chain(inputs.iter().map(String::as_str))
                 .chain(states);
             let hint = release::suggestion(&name, known);
             let model = &model.name;
@@ -106,7 +118,7 @@ fn set(release: &mut Release, model: &Checked, values: Vec<(String, f64)>) -> Py
 /// Component of an input of the model by its name, such as `wind_x`, in a release.
 fn component<'r>(release: &'r mut Release, model: &Checked, name: &str) -> Option<&'r mut f64> {
     let (input, axis) = name.rsplit_once('_')?;
-    let axis = ["x", "y", "z"].iter().position(|own| *own == axis)?;
+    let axis = AXES.iter().position(|own| *own == axis)?;
     let input = model.inputs.iter().find(|own| own.name == input)?;
     if input.name == "wind" {
         return Some(&mut release.wind[axis]);
@@ -161,7 +173,7 @@ pub fn fly(
             "tolerance is {tolerance}, expected 1e-14 to 0.1"
         )));
     }
-    let (checked, body, mut release) = released(model.get(), name, text)?;
+    let (checked, body, mut release) = released(py, model.get(), name, text, &values)?;
     set(&mut release, &checked, values)?;
     if let Some(until) = until {
         release.stop = stop(until)?;

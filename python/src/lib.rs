@@ -54,5 +54,5 @@ mod _hyzer {
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]
-    use crate::report::Report;
+    use crate::report::{Report, write_files};
 }

@@ -2,17 +2,16 @@
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
-use std::path::Path;
 use std::sync::Arc;
 
+use dataset::Marker;
 use dataset::synthesize::{Corruption, Plan, Spread, flights};
-use dataset::{Marker, Role};
 use flight::release::Release;
 use pyo3::prelude::*;
 
-use crate::array::{numbers, shape_text};
+use crate::array::{in_order, labels, numbers, shape_text};
 use crate::dataset::Dataset;
-use crate::errors::{input, raise, raise_named, with_keywords};
+use crate::errors::{self, input, raise, raise_or, with_keywords};
 use crate::flight::released;
 use crate::model::Model;
 use crate::work;
@@ -69,11 +68,12 @@ pub fn synthesize(
     py: Python<'_>,
     model: &Bound<'_, Model>,
     releases: Vec<(String, String)>,
-    options: Options,
+    options: &Bound<'_, PyAny>,
 ) -> PyResult<Dataset> {
+    let options: Options = errors::options(options)?;
     let model = model.get();
     let read = releases.iter().map(|(name, text)| {
-        let (_, _, release) = released(model, name, text)?;
+        let (_, _, release) = released(py, model, name, text, &[])?;
         match release.wind_field {
             Some(_) => Err(input(format!(
                 "{name}: found a wind by height or gusts, expected a constant wind"
@@ -105,42 +105,15 @@ pub fn synthesize(
     })
 }
 
-/// Options of `hyzer import`, with the keyword arguments of `Dataset.import_takes` that stand for them.
-const IMPORT_KEYWORDS: [(&str, &str); 10] = [
-    ("left-handed", "left_handed"),
-    ("centre-height", "centre_height"),
-    ("format", "format"),
-    ("length", "length"),
-    ("label", "labels"),
-    ("markers", "markers"),
-    ("model", "model"),
-    ("time", "time"),
-    ("rate", "rate"),
-    ("up", "up"),
-];
-
-/// A flight by its name or its number from 0.
-#[derive(FromPyObject)]
-pub enum NamedFlight {
-    /// Its number.
-    Number(usize),
-    /// Its name.
-    Name(String),
-}
-
-/// Imports recordings by the arguments of `hyzer import`, with known constants and the flights to hold out.
+/// Imports recordings by the arguments of `hyzer import`, with known constants.
 #[pyfunction]
 pub fn import_takes(
     py: Python<'_>,
     arguments: Vec<OsString>,
     parameters: BTreeMap<String, f64>,
-    held_out: Vec<NamedFlight>,
 ) -> PyResult<Dataset> {
     let made = work::run(py, None, move |_| hyzer::program::import_takes(&arguments))?;
-    let mut made = made.map_err(|error| raise_named(error, &IMPORT_KEYWORDS))?;
-    for named in held_out {
-        hold_out(&mut made.dataset, &named)?;
-    }
+    let mut made = made.map_err(|error| raise_or("InputError", error))?;
     if !parameters.is_empty() {
         made.dataset.parameters.extend(parameters);
         // Constants are checked as those of a file are.
@@ -155,30 +128,9 @@ pub fn import_takes(
     Ok(Dataset {
         beside: made.beside,
         comments: made.comments,
-        decisions: with_keywords(&made.decisions, &IMPORT_KEYWORDS),
+        decisions: with_keywords(&made.decisions),
         ..Dataset::of(made.dataset, String::new(), None)
     })
-}
-
-fn hold_out(data: &mut dataset::Dataset, named: &NamedFlight) -> PyResult<()> {
-    let flights = &mut data.flights;
-    let found = match named {
-        NamedFlight::Number(number) => flights.get_mut(*number),
-        NamedFlight::Name(name) => flights.iter_mut().find(|flight| flight.file == *name),
-    };
-    if let Some(flight) = found {
-        flight.role = Role::HeldOut;
-        return Ok(());
-    }
-    let shown = match named {
-        NamedFlight::Number(number) => number.to_string(),
-        NamedFlight::Name(name) => format!("{name:?}"),
-    };
-    let files: Vec<&str> = flights.iter().map(|flight| flight.file.as_str()).collect();
-    Err(input(format!(
-        "held_out: found {shown}, expected a flight by its number from 0 or one of {}",
-        files.join(", ")
-    )))
 }
 
 /// Text of a table from the arrays of its columns: name in messages, endings of the columns' names, numbers.
@@ -187,6 +139,16 @@ pub fn table_text(columns: Vec<(String, Vec<String>, Bound<'_, PyAny>)>) -> PyRe
     let (mut heads, mut parts) = (Vec::new(), Vec::new());
     let mut rows: Option<usize> = None;
     for (what, names, array) in columns {
+        // Columns of a DataFrame may be named as in a table, or x, y, z.
+        let array = match labels(&array)? {
+            Some(own) if names.len() > 1 => {
+                let short = |name: &String| name.rsplit('_').next().unwrap_or(name).to_owned();
+                let short: Vec<String> = names.iter().map(short).collect();
+                let is_short = own.iter().flatten().any(|own| short.contains(own));
+                in_order(&array, &what, if is_short { &short } else { &names })?
+            }
+            _ => array,
+        };
         let (values, shape) = numbers(&array, &what)?;
         let (found, width) = match shape[..] {
             [found] => (found, 1),
@@ -224,7 +186,7 @@ pub fn table_text(columns: Vec<(String, Vec<String>, Bound<'_, PyAny>)>) -> PyRe
 impl Model {
     /// Whether the model is a built-in one as it stands.
     pub fn is_built_in(&self) -> bool {
-        !self.is_text() && !self.is_changed && !Path::new(&self.source).is_file()
+        !self.is_text() && self.added.is_empty() && self.replaced.is_empty() && !self.is_of_files
     }
 
     /// Name of the model in files that are written: of a built-in one its name, else that of a file.

@@ -1,9 +1,11 @@
 //! Models: how they are loaded and compiled, and their parameter vectors.
 
+use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use codegen::compile::compile;
 use codegen::tape_model::TapeModel;
+use flight::release::{Name, Vocabulary};
 use flight::{CompiledModel, ModelFunctions};
 use model_spec::ModelTree;
 use model_spec::compose::ValueError;
@@ -12,7 +14,7 @@ use model_spec::model::Model as Checked;
 use pyo3::prelude::*;
 use pyo3::types::PyMapping;
 
-use crate::array::vector;
+use crate::array::{labels, vector};
 use crate::errors::{input, raise};
 
 /// A checked model of a flying body.
@@ -26,10 +28,15 @@ pub struct Model {
     pub layout: Layout,
     /// Name, path or text by which the model was loaded.
     pub source: String,
-    /// Whether effects or values were added to what `source` names.
-    pub is_changed: bool,
+    /// Whether the model or an effect was read from a file, which may change.
+    pub is_of_files: bool,
+    /// Effects that were added to what `source` names, as they were named.
+    pub added: Vec<String>,
+    /// Values that replaced the defaults, SI.
+    pub replaced: Vec<(String, f64)>,
     compiled: OnceLock<Compiled>,
     tape: OnceLock<TapeModel>,
+    constants: OnceLock<Vec<(usize, Name)>>,
 }
 
 /// A compiled model with the invariants of its default parameters.
@@ -54,17 +61,21 @@ impl Model {
         let mut tree = tree
             .and_then(|tree| tree.with_named(effects))
             .map_err(raise)?;
+        let is_file = |name: &String| Path::new(name).is_file();
+        let mut replaced = Vec::new();
         if let Some(parameters) = parameters {
-            let values = pairs(parameters, "parameters")?;
-            let values = values.iter().map(|(name, value)| (name.as_str(), *value));
+            replaced = pairs(parameters, "parameters")?;
+            let values = replaced.iter();
+            let values = values.map(|(name, value)| (name.as_str(), *value));
             tree = tree.with_values(values).map_err(|error| match error {
                 ValueError::Load(error) => raise(error),
                 other => input(other.to_string()),
             })?;
         }
-        let is_changed = parameters.is_some() || !effects.is_empty();
         Ok(Model {
-            is_changed,
+            is_of_files: is_file(&source) || effects.iter().any(is_file),
+            added: effects.to_vec(),
+            replaced,
             ..Model::of(tree, source)?
         })
     }
@@ -77,9 +88,12 @@ impl Model {
             checked: Arc::new(checked),
             tree,
             source,
-            is_changed: false,
+            is_of_files: false,
+            added: Vec::new(),
+            replaced: Vec::new(),
             compiled: OnceLock::new(),
             tape: OnceLock::new(),
+            constants: OnceLock::new(),
         })
     }
 
@@ -111,19 +125,54 @@ impl Model {
             .get_or_init(|| TapeModel::new(&compile(&self.checked)))
     }
 
+    /// Known constants, by their indices among the parameters, with what their values may be.
+    fn constants(&self) -> &[(usize, Name)] {
+        self.constants.get_or_init(|| {
+            let constants = Vocabulary::of(&self.checked).parameters.into_iter();
+            let index = |known: &Name| self.layout.parameter(&known.name);
+            constants
+                .filter_map(|known| Some((index(&known)?.index(), known)))
+                .collect()
+        })
+    }
+
+    /// Values that were replaced, those of a changed built-in model among them.
+    pub fn replaced(&self) -> Vec<(String, f64)> {
+        let mut values = flight::release::replaced(&self.checked);
+        let is_known = |name: &String| values.iter().any(|(known, _)| known == name);
+        let own = self.replaced.iter().filter(|(name, _)| !is_known(name));
+        let own: Vec<_> = own.cloned().collect();
+        values.extend(own);
+        values
+    }
+
     /// The functions of the model.
     pub fn functions(&self) -> &ModelFunctions {
         self.compiled().model.functions()
     }
 
-    /// The parameter vector: an array, or the defaults with the values of a mapping by name.
+    /// The parameter vector: an array, or the defaults with the values of a mapping or Series by name.
     pub fn vector_of(&self, p: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
         let names = &self.layout.parameters;
-        let Ok(mapping) = p.cast::<PyMapping>() else {
-            return vector(p, "p", names.len(), |index| names[index].clone());
+        let values = match named_items(p)? {
+            Some(items) => self.with(items)?,
+            None => vector(p, "p", names)?,
         };
+        for (index, known) in self.constants() {
+            let value = values[*index];
+            if let Some(expected) = known.expected_instead_of(value) {
+                let name = &known.name;
+                return Err(input(format!("p: {name} is {value}, expected {expected}")));
+            }
+        }
+        Ok(values)
+    }
+
+    /// The defaults with values by name.
+    fn with(&self, items: Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+        let names = &self.layout.parameters;
         let mut values = self.layout.defaults.clone();
-        for (name, value) in pairs(mapping, "p")? {
+        for (name, value) in numbers_of(&items, "p")? {
             let index = self.layout.parameter(&name).ok_or_else(|| {
                 let known = names.iter().map(String::as_str);
                 let hint = flight::release::suggestion(&name, known);
@@ -138,11 +187,27 @@ impl Model {
     }
 }
 
+/// Pairs of a mapping, or of a Series whose labels are names; nothing of an array.
+fn named_items<'py>(p: &Bound<'py, PyAny>) -> PyResult<Option<Bound<'py, PyAny>>> {
+    if let Ok(mapping) = p.cast::<PyMapping>() {
+        return Ok(Some(mapping.items()?.into_any()));
+    }
+    match labels(p)? {
+        Some(labels) if labels.iter().all(Option::is_some) => Ok(Some(p.call_method0("items")?)),
+        _ => Ok(None),
+    }
+}
+
 /// Names and finite numbers of a mapping.
 pub fn pairs(mapping: &Bound<'_, PyMapping>, what: &str) -> PyResult<Vec<(String, f64)>> {
+    numbers_of(mapping.items()?.as_any(), what)
+}
+
+/// Names and finite numbers of pairs.
+fn numbers_of(items: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<(String, f64)>> {
     let mut pairs = Vec::new();
-    for item in mapping.items()?.iter() {
-        let (name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
+    for item in items.try_iter()? {
+        let (name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item?.extract()?;
         let name: String = name
             .extract()
             .map_err(|_| input(format!("{what}: found the key {name}, expected a name")))?;

@@ -1,5 +1,7 @@
 //! The methods of models in Python.
 
+use std::collections::BTreeMap;
+
 use model_spec::layout::Layout;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping, PyTuple};
@@ -173,8 +175,9 @@ impl Model {
     /// t : float or array_like, shape (m,)
     ///     Time since release, s; one for all states, or one for each.
     /// x : array_like, shape (n,) or (m, n)
-    ///     State, or one in each row, SI, in the order of `states`.
-    /// p : array_like, shape (k,), or mapping of str to float, optional
+    ///     State, or one in each row, SI, in the order of `states`; those of a Series or DataFrame go by
+    ///     their labels.
+    /// p : array_like, shape (k,), or mapping or Series of str to float, optional
     ///     Parameters, SI, in the order of `parameters`, or those by name that differ from the
     ///     defaults.
     ///
@@ -214,8 +217,9 @@ impl Model {
     /// t : float or array_like, shape (m,)
     ///     Time since release, s; one for all states, or one for each.
     /// x : array_like, shape (n,) or (m, n)
-    ///     State, or one in each row, SI, in the order of `states`.
-    /// p : array_like, shape (k,), or mapping of str to float, optional
+    ///     State, or one in each row, SI, in the order of `states`; those of a Series or DataFrame go by
+    ///     their labels.
+    /// p : array_like, shape (k,), or mapping or Series of str to float, optional
     ///     Parameters, SI, in the order of `parameters`, or those by name that differ from the
     ///     defaults.
     ///
@@ -257,7 +261,8 @@ impl Model {
     /// t : float or array_like, shape (m,)
     ///     Time since release, s; one for all states, or one for each.
     /// x : array_like, shape (n,) or (m, n)
-    ///     State, or one in each row, SI, in the order of `states`.
+    ///     State, or one in each row, SI, in the order of `states`; those of a Series or DataFrame go by
+    ///     their labels.
     /// marker : array_like, shape (3,) or (l, 3)
     ///     Positions in the body frame, m.
     /// p : array_like or mapping, optional
@@ -297,8 +302,9 @@ impl Model {
     /// t : float or array_like, shape (m,)
     ///     Time since release, s; one for all states, or one for each.
     /// x : array_like, shape (n,) or (m, n)
-    ///     State, or one in each row, SI, in the order of `states`.
-    /// p : array_like, shape (k,), or mapping of str to float, optional
+    ///     State, or one in each row, SI, in the order of `states`; those of a Series or DataFrame go by
+    ///     their labels.
+    /// p : array_like, shape (k,), or mapping or Series of str to float, optional
     ///     Parameters, SI, in the order of `parameters`, or those by name that differ from the
     ///     defaults.
     ///
@@ -322,12 +328,27 @@ impl Model {
         Evaluation::new(self, t, x, p)?.quantities(t.py())
     }
 
+    /// What makes the same model: names where all is built in, else its text.
+    fn made(&self) -> (String, Vec<String>, BTreeMap<String, f64>) {
+        if self.is_text() || self.is_of_files {
+            return (self.tree.to_text(""), Vec::new(), BTreeMap::new());
+        }
+        let replaced = self.replaced.iter().cloned().collect();
+        (self.source.clone(), self.added.clone(), replaced)
+    }
+
     fn __repr__(&self) -> String {
         let effects: Vec<&str> = self.checked.effects.iter().map(|e| &*e.name).collect();
         let with = match effects.is_empty() {
             true => String::new(),
             false => format!(", effects={effects:?}"),
         };
-        format!("Model({:?}{with})", self.checked.name)
+        let values = self.replaced.iter();
+        let values: Vec<String> = values.map(|(name, v)| format!("{name:?}: {v}")).collect();
+        let of = match values.is_empty() {
+            true => String::new(),
+            false => format!(", parameters={{{}}}", values.join(", ")),
+        };
+        format!("Model({:?}{with}{of})", self.checked.name)
     }
 }

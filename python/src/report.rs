@@ -28,8 +28,12 @@ impl Report {
         &self.text
     }
 
-    fn page_html(&self) -> String {
-        self.file_text("report.html").unwrap_or_default()
+    fn model_text(&self) -> Option<String> {
+        None
+    }
+
+    fn files(&self) -> Vec<(String, Vec<u8>)> {
+        named(self.files.clone())
     }
 
     fn file_text(&self, name: &str) -> Option<String> {
@@ -40,4 +44,20 @@ impl Report {
     fn save_files(&self, folder: PathBuf) -> PyResult<()> {
         write(&folder, &self.files)
     }
+}
+
+/// Contents of files by their names.
+pub fn named(files: Vec<ResultFile>) -> Vec<(String, Vec<u8>)> {
+    let files = files.into_iter();
+    files.map(|file| (file.path, file.contents)).collect()
+}
+
+/// Replaces the results in a folder by files, contents by name.
+#[pyfunction]
+pub fn write_files(folder: PathBuf, files: Vec<(String, Vec<u8>)>) -> PyResult<()> {
+    let files = files.into_iter();
+    let files: Vec<ResultFile> = files
+        .map(|(path, contents)| ResultFile::new(path, contents))
+        .collect();
+    write(&folder, &files)
 }

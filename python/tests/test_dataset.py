@@ -104,7 +104,7 @@ def test_imported_takes_have_constants_and_flights_apart() -> None:
     assert data.parameters["I_a"] == DISC.parameters["I_a"]
     with pytest.raises(hyzer.InputError, match="m = -1"):
         hyzer.Dataset.import_takes(takes, **options, parameters={"m": -1})
-    with pytest.raises(hyzer.InputError, match="held_out: found 2, expected"):
+    with pytest.raises(hyzer.InputError, match="held_out: found the flight 2, expected"):
         hyzer.Dataset.import_takes(takes, **options, held_out=[2])
 
 

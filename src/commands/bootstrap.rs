@@ -13,7 +13,7 @@ use model_spec::model::Model;
 use report::CsvTable;
 use serde_json::{Value, json};
 
-use super::fit::{Inputs, reliable};
+use super::fit::{Inputs, overruled_by, reliable};
 use crate::cli::Bootstrap;
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
@@ -35,6 +35,9 @@ pub(super) fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
         ..inputs.options()
     };
     asked.validate()?;
+    for note in overruled_by(model, dataset) {
+        eprintln!("note: {note}");
+    }
     progress::resumes();
     let bar = Progress::new()?;
     let shown = FitOptions {

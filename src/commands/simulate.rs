@@ -9,7 +9,9 @@ use std::fmt::Write;
 
 use anyhow::{Context, anyhow, bail, ensure};
 use flight::files::ResultFile;
-use flight::release::{BUILT_IN, Release, Stop, Vocabulary, quaternion_fault, read_named};
+use flight::release::{
+    BUILT_IN, Release, Stop, Vocabulary, overruled, quaternion_fault, read_named, replaced,
+};
 use flight::throw::{FlownThrow, Throw};
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::load::load;
@@ -195,6 +197,11 @@ pub(super) fn released(
     let (release, vocabulary) = read_named(name, in_wind, vocabulary)?;
     let model = vocabulary.model;
     let model = model.ok_or_else(|| anyhow!("{name}: the release names no model"))?;
+    let stated = release.parameters.iter().chain(&release.coefficients);
+    let stated = stated.map(|(name, value)| (name, value));
+    for note in overruled(&replaced(&model), stated, "the release") {
+        eprintln!("note: {note}");
+    }
     Ok((Model::clone(&model), release))
 }
 

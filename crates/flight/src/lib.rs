@@ -42,6 +42,7 @@ mod integrate;
 mod lane_model;
 mod lane_observer;
 mod observer;
+mod overruled;
 pub mod parallel;
 mod release_file;
 mod rhs;
@@ -73,6 +74,7 @@ pub mod release {
     pub use crate::initial_conditions::{
         BUILT_IN, Release, Stop, Vocabulary, built_in, quaternion_fault,
     };
+    pub use crate::overruled::{overruled, replaced};
     pub use crate::release_file::{read, read_file, read_in_wind, read_named};
     pub use crate::toml_reader::{
         Fault, Name, Reader, ReleaseError, Value, number_of, read_text, suggestion,

@@ -26,13 +26,19 @@ pub fn threads() -> usize {
     *THREADS.get_or_init(|| std::thread::available_parallelism().map_or(1, std::num::NonZero::get))
 }
 
-/// Runs `task(0)`, …, `task(count - 1)` on `threads` threads; results are in index order and do not depend on
-/// `threads`. Uses the current rayon pool if it has this number of threads, otherwise a pool that later calls share.
+/// `threads`, but at most four for each processor: more would take longer to start than they save.
+fn bounded(threads: usize) -> usize {
+    threads.min(4 * self::threads())
+}
+
+/// Runs `task(0)`, …, `task(count - 1)` on `threads` threads, at most four for each processor; results are in index
+/// order and do not depend on `threads`. Uses the current rayon pool if it has this number of threads, otherwise a pool that later calls share.
 /// With a single thread or task, everything runs on the calling thread. Work that was cancelled begins no further task.
 ///
 /// # Panics
 /// If `task` panics.
 pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
+    let threads = bounded(threads);
     if threads.min(count) <= 1 {
         let unless_cancelled = |index| {
             stop_if_cancelled();
@@ -87,6 +93,7 @@ fn spread(threads: usize, count: usize, task: &(dyn Fn(usize) + Sync)) {
 /// # Panics
 /// If `task` panics.
 pub fn within<R: Send>(threads: usize, task: impl FnOnce() -> R + Send) -> R {
+    let threads = bounded(threads);
     if threads <= 1 || rayon::current_thread_index().is_some() {
         return task();
     }
@@ -142,6 +149,14 @@ fn shared_pool(threads: usize) -> Result<Arc<ThreadPool>, ThreadPoolBuildError> 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn more_threads_than_four_for_each_processor_are_not_started() {
+        let most = 4 * super::threads();
+        assert_eq!(within(100_000, rayon::current_num_threads), most);
+        let seen = each_on(100_000, 2, |_| rayon::current_num_threads());
+        assert_eq!(seen, [most, most]);
+    }
 
     #[test]
     fn results_are_in_order_on_any_number_of_threads() {

@@ -10,7 +10,7 @@ use model_spec::model::Model;
 use report::diagnosis::{DiagnosisPage, Fits, tables};
 use report::viewer::View;
 
-use super::fit::{FLIGHTS, Inputs, deadline, drawn, evidence, reliable};
+use super::fit::{FLIGHTS, Inputs, deadline, drawn, evidence, overruled_by, reliable};
 use crate::cli::Diagnose;
 use crate::progress::Progress;
 use crate::{Answer, output};
@@ -70,6 +70,7 @@ pub fn diagnosis(
         verified(&extension.text(&note(&extension.effects, options.dataset)))
     })?;
     found.set_verified(verified.transpose()?);
+    found.report.notes.extend(overruled_by(model, dataset));
     Ok(found)
 }
 

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, ensure};
 use dataset::{Dataset, Role};
 use flight::files::ResultFile;
+use flight::release::{overruled, replaced};
 use identify::{FitOptions, FlightEvidence, FlightId, Prior};
 use model_spec::model::Model;
 use model_spec::{ModelTree, sort_by_number};
@@ -39,6 +40,7 @@ pub(super) fn run(options: &Fit) -> anyhow::Result<Answer> {
     drop(progress);
     let mut fitted = fitted.with_context(|| inputs.failed("fit"))?;
     fitted.report.dataset.clone_from(name);
+    fitted.report.notes.extend(overruled_by(model, dataset));
     let fitted = fitted.with_lack_of_fit(threads)?;
     if let Some(out) = &inputs.out {
         let what = format!("report.html, report.json, {FITTED}, figures and tables");
@@ -54,6 +56,11 @@ pub(super) fn run(options: &Fit) -> anyhow::Result<Answer> {
         fitted.report.reliable,
         &fitted.report.cautions,
     ))
+}
+
+/// Notes on values that were replaced in the model and do not count, as the dataset states others.
+pub fn overruled_by(model: &Model, dataset: &Dataset) -> Vec<String> {
+    overruled(&replaced(model), &dataset.parameters, "the dataset")
 }
 
 /// Whether a result, `what`, is reliable; prints the reasons if it is not.

@@ -9,7 +9,8 @@ use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
 use dataset::takes::{
-    self, Axis, Format, ImportOptions, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit,
+    self, Axis, Format, ImportOptions, LengthUnit, ReadOptions, Take, Throw, ThrowOptions,
+    TimeUnit, name_of_label,
 };
 use dataset::{BodyTemplate, Dataset, Flight, Marker, Sensor, SensorKind, write_commented};
 use flight::table::listed;
@@ -287,7 +288,7 @@ fn add(take: &Take, file: &Path, options: &ImportOptions, all: &mut Found) -> an
 
 /// Name of a label in the dataset, by the option `--label` or made from it.
 fn dataset_name(label: &str, labels: &BTreeMap<String, String>) -> String {
-    let given = labels.get(label).cloned();
+    let given = name_of_label(labels, label).cloned();
     given.unwrap_or_else(|| estimated::name(label))
 }
 

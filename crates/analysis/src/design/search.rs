@@ -94,6 +94,9 @@ pub enum DesignError {
         "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"
     )]
     NoObstacle,
+    /// A coordinate of the target is no finite number.
+    #[error("the target is ({}); expected finite numbers", .0.map(|x| x.to_string()).join(", "))]
+    NotFinite([f64; 3]),
     /// The target is below the ground, by the given depth, m.
     #[error("the target is {0} m below the ground; expected a height of 0 or more")]
     Buried(f64),
@@ -128,6 +131,9 @@ pub fn design(
 ) -> Result<Design, DesignError> {
     match (goal, goal.target()) {
         (Goal::Curve(_), _) if bounds.obstacle.is_none() => return Err(DesignError::NoObstacle),
+        (_, Some(target)) if !target.iter().all(|x| x.is_finite()) => {
+            return Err(DesignError::NotFinite(target.into()));
+        }
         (_, Some(target)) if target.z < 0.0 => return Err(DesignError::Buried(-target.z)),
         (Goal::Flare(_), Some(target)) if target.z == 0.0 => {
             return Err(DesignError::FlareOnGround);

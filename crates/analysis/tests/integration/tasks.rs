@@ -3,7 +3,8 @@
 use std::time::Instant;
 
 use analysis::design::{
-    Bounds, Design, Goal, Obstacle, SearchOptions, Side, ThrowFlights, ThrownBody, design,
+    Bounds, Design, DesignError, Goal, Obstacle, SearchOptions, Side, ThrowFlights, ThrownBody,
+    design,
 };
 use flight::throw::Throw;
 use nalgebra::{DVector, Vector2, Vector3};
@@ -219,6 +220,28 @@ fn what_is_impossible_is_refused_with_what_comes_nearest() {
     );
     assert!(!round.feasible);
     assert!(round.miss > 0.1 || round.clearance.expect("an obstacle") < -0.1);
+}
+
+#[test]
+fn a_target_that_is_no_point_is_refused() {
+    let disc = body("disc");
+    let flights = with_wind(&disc, [0.0; 3]);
+    for goal in [
+        Goal::Hit([f64::NAN, 1.0, 0.0]),
+        Goal::Hit([4.0, 1.0, f64::NAN]),
+        Goal::Flare([15.0, 0.0, f64::INFINITY]),
+    ] {
+        let options = SearchOptions {
+            starts: 4,
+            ..SearchOptions::default()
+        };
+        let found = design(&flights, goal, &Bounds::standard(&disc), &options);
+        assert!(
+            matches!(found, Err(DesignError::NotFinite(_))),
+            "{goal:?}: {:?}",
+            found.map(|found| found.feasible)
+        );
+    }
 }
 
 #[test]

@@ -163,11 +163,26 @@ fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option
     })
 }
 
+/// Whether a label of a recording is the one `stated`: as it stands, or after its subject, as `m1` of `Disc:m1`. Readers
+/// leave the subject out where all labels have it.
+fn is_stated(label: &str, stated: &str) -> bool {
+    let after = stated.split_once(':').map(|(_, name)| name);
+    label == stated || after == Some(label)
+}
+
+/// Name that `labels` give to a label of a recording, with or without its subject.
+pub fn name_of_label<'l>(labels: &'l BTreeMap<String, String>, label: &str) -> Option<&'l String> {
+    let with_subject = || labels.iter().find(|(stated, _)| is_stated(label, stated));
+    labels
+        .get(label)
+        .or_else(|| with_subject().map(|(_, name)| name))
+}
+
 impl Followed {
     /// Selects the points that are the markers, by label or by the name given to it; if none matches, the only point for
     /// the only marker, or the only body.
     fn find(take: &Take, options: &ImportOptions) -> Result<Self, Fault> {
-        let is_unknown = |label: &&String| !take.labels().any(|known| known == *label);
+        let is_unknown = |label: &&String| !take.labels().any(|known| is_stated(known, label));
         if let Some(label) = options.labels.keys().find(is_unknown) {
             let expected = format!("one of the labels {}", listed(take.labels()));
             return Err(fault(format!("{label:?} in --label"), expected));
@@ -175,7 +190,9 @@ impl Followed {
         let mut points = Vec::new();
         let mut missing = Vec::new();
         for marker in &options.markers {
-            let name = |label: &String| options.labels.get(label).unwrap_or(label) == &marker.name;
+            let name = |label: &String| {
+                name_of_label(&options.labels, label).unwrap_or(label) == &marker.name
+            };
             match take.points.iter().position(|point| name(&point.label)) {
                 Some(point) => points.push(point),
                 None => missing.push(marker.name.as_str()),
@@ -264,5 +281,22 @@ impl Followed {
             times,
             ..Flight::default()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_label_is_named_as_it_stands_in_the_file() {
+        let stated = [("Disc:m1", "front"), ("m2", "left"), ("Other:m2", "none")];
+        let labels = stated.map(|(label, name)| (label.to_owned(), name.to_owned()));
+        let labels = BTreeMap::from(labels);
+        let name = |label| name_of_label(&labels, label).map(String::as_str);
+        assert_eq!(name("m1"), Some("front"));
+        assert_eq!(name("Disc:m1"), Some("front"));
+        assert_eq!(name("m2"), Some("left"));
+        assert_eq!(name("m3"), None);
     }
 }

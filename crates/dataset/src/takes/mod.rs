@@ -30,7 +30,7 @@ pub use flight::table::Location;
 pub(crate) use flight::table::{Fault, Sheet, listed, separator, shown};
 pub use format::Format;
 pub(crate) use format::is_digitised;
-pub use import::{Followed, ImportOptions, ImportedTake, up_of};
+pub use import::{Followed, ImportOptions, ImportedTake, name_of_label, up_of};
 pub(crate) use layout::{
     Attitude, Clock, Layout, MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, TrackColumns, Tracks,
     unique,

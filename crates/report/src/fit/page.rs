@@ -159,7 +159,7 @@ fn evidence(page: &FitPage<'_>) -> Html {
         draw::residuals(page.evidence, &[], report.leading_noise()),
         true,
     );
-    body.section("residuals", words::RESIDUALS, residuals);
+    body.section("residuals-over-time", words::RESIDUALS, residuals);
     let states = draw::states(page.evidence, page.model);
     let states = section(states, OPEN, words::STATES, false);
     body.section("states", "States over time", states);

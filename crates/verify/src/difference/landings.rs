@@ -1,6 +1,6 @@
 //! Flies a release with the old and the new model: where and when each flight ends.
 
-use flight::release::{ReleaseError, Vocabulary, built_in, read, read_file};
+use flight::release::{Release, ReleaseError, Vocabulary, built_in, read, read_file};
 use flight::{CompiledModel, simulate};
 use model_spec::model::Model;
 use ode::IntegrationOptions;
@@ -45,7 +45,7 @@ pub struct End {
 
 /// A release that one of the compared models cannot use.
 #[derive(Debug, thiserror::Error)]
-#[error("the {which} model cannot fly the release: {source}")]
+#[error("the {which} model cannot fly the release")]
 pub struct LandingError {
     /// The model concerned: `old` or `new`.
     pub which: &'static str,
@@ -58,7 +58,41 @@ pub struct LandingError {
 /// # Errors
 /// [`LandingError`] if the release cannot be read, or contains names that one of the models does not have.
 pub fn landing(release: &str, old: &Model, new: &Model) -> Result<Landing, LandingError> {
-    let fly = |which, model| fly(release, model).map_err(|source| LandingError { which, source });
+    let path = Path::new(release);
+    ends(release, old, new, |model| {
+        let vocabulary = |_: &str| Ok(Vocabulary::of(model));
+        match built_in(release) {
+            Some(text) if !path.is_file() => read(release, text, vocabulary),
+            _ => read_file(path, vocabulary),
+        }
+    })
+}
+
+/// Flies the release of a text with both models, as [`landing`] does.
+///
+/// # Errors
+/// As [`landing`].
+pub fn landing_of_text(
+    name: &str,
+    text: &str,
+    old: &Model,
+    new: &Model,
+) -> Result<Landing, LandingError> {
+    ends(name, old, new, |model| {
+        read(name, text, |_: &str| Ok(Vocabulary::of(model)))
+    })
+}
+
+fn ends(
+    release: &str,
+    old: &Model,
+    new: &Model,
+    read: impl Fn(&Model) -> Result<Release, ReleaseError>,
+) -> Result<Landing, LandingError> {
+    let fly = |which, model| {
+        let read = read(model).map_err(|source| LandingError { which, source });
+        read.map(|release| fly(&release, model))
+    };
     Ok(Landing {
         old: fly("old", old)?,
         new: fly("new", new)?,
@@ -66,15 +100,9 @@ pub fn landing(release: &str, old: &Model, new: &Model) -> Result<Landing, Landi
     })
 }
 
-fn fly(release: &str, model: &Model) -> Result<Flown, ReleaseError> {
-    let path = Path::new(release);
-    let vocabulary = |_: &str| Ok(Vocabulary::of(model));
-    let read = match built_in(release) {
-        Some(text) if !path.is_file() => read(release, text, vocabulary)?,
-        _ => read_file(path, vocabulary)?,
-    };
+fn fly(release: &Release, model: &Model) -> Flown {
     let options = IntegrationOptions::with_tolerance(TOLERANCE);
-    let flight = simulate(&CompiledModel::new(model), &read, &options);
+    let flight = simulate(&CompiledModel::new(model), release, &options);
     let is_axis = |index: usize| ["x", "y", "z"].contains(&model.states[index].name.as_str());
     let has_axes = (0..model.states.len())
         .filter(|&index| is_axis(index))
@@ -84,7 +112,7 @@ fn fly(release: &str, model: &Model) -> Result<Flown, ReleaseError> {
         Some(body) => body.position.contains(&index),
         None => !has_axes || is_axis(index),
     };
-    Ok(match flight {
+    match flight {
         Ok(flight) => Flown::End(End {
             time_s: flight.end,
             reason: flight.terminal_event.unwrap_or_else(|| "time".into()),
@@ -94,5 +122,5 @@ fn fly(release: &str, model: &Model) -> Result<Flown, ReleaseError> {
                 .collect(),
         }),
         Err(error) => Flown::Failed(error.to_string()),
-    })
+    }
 }

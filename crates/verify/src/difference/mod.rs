@@ -20,7 +20,7 @@ mod text;
 pub(crate) mod values;
 
 pub use function::Sameness;
-pub use landings::{End, Flown, Landing, LandingError, landing};
+pub use landings::{End, Flown, Landing, LandingError, landing, landing_of_text};
 pub use statements::{Change, Statement};
 
 use function::Compared;

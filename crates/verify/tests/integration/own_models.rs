@@ -197,6 +197,14 @@ fn generated_code_of_another_text_is_said() {
     assert!(report.table().contains("STALE: the code of `disc`"));
     let report = verify::run(&built_in("disc"), &QUICK);
     assert_eq!(row(&report, GENERATED).verdict, Verdict::Holds);
+    // A fitted or extended model, of another file, has no code that could be old.
+    let text = edited("disc", "-m*g_here*N.3", "-(m*g_here*N.3)").sources[0]
+        .text
+        .clone();
+    let extended = model_spec::load::inspect_text("found/extended.hyz", &text, &[]).unwrap();
+    let report = verify::run(&extended, &QUICK);
+    assert_eq!(row(&report, GENERATED).verdict, Verdict::Skipped);
+    assert!(!report.table().contains("STALE"), "{}", report.table());
     // A model that has a name of its own has no code in the program.
     let report = verify::run(&edited("disc", "model disc;", "model mine;"), &QUICK);
     assert_eq!(row(&report, GENERATED).verdict, Verdict::Skipped);

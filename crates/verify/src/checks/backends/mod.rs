@@ -16,6 +16,8 @@ use lanes::Isa;
 use model_spec::model::Model;
 use oracle::Point;
 use oracle::scalar::ErrorBound;
+use std::ffi::OsStr;
+use std::path::Path;
 
 /// Name in reports of the check of bitwise agreement between backends.
 pub const BACKENDS: &str = "backends";
@@ -85,8 +87,11 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
     runs
 }
 
-/// Whether the program has code generated from the current text of the model; another text is said in a remark.
+/// Whether the program has code generated from the current text of the model. Another text is said in a remark where the
+/// file has the name of the model, as those have from which code is generated; a fitted or extended model has another.
 pub fn generated_code(model: &Model) -> Row {
+    let file = model.sources.first().map(|source| Path::new(&source.name));
+    let is_source = || file.and_then(Path::file_stem) == Some(OsStr::new(&*model.name));
     match generated::model(&model.name) {
         _ if !model.effects.is_empty() => {
             Row::skipped(GENERATED, "the program has code without effects only")
@@ -94,6 +99,9 @@ pub fn generated_code(model: &Model) -> Row {
         None => Row::skipped(GENERATED, "the program has no code of this model"),
         Some(code) if code.source_hash == source_hash(model) => {
             Row::counted(GENERATED, 1, &[], "of this text")
+        }
+        Some(_) if !is_source() => {
+            Row::skipped(GENERATED, "the program has no code of this text of the model")
         }
         Some(_) => Row::skipped(GENERATED, "STALE: it is of another text").with_remark(format!(
             "STALE: the code of `{}` in the program is of another text of the model, and was not compared with anything; \
