@@ -122,7 +122,7 @@ fn a_prior_that_the_data_contradict_is_named() {
 #[test]
 fn a_prior_that_a_missing_effect_contradicts_leaves_the_cause() {
     let stalling = disc().with_effect("stall").unwrap();
-    let data = throws(&stalling, &[("C_Ls", 4.0)], 8, 4);
+    let data = throws(&stalling, &[("C_Ls", 20.0)], 8, 4);
     let fit = Fit::of(&disc())
         .prior("C_La", 2.37, 0.02)
         .run(&data)
