@@ -273,7 +273,7 @@ fn a_flight_out_of_the_model_is_named() {
 fn inputs_of_releases_are_written_with_their_interpolation() {
     let text = "model cart; frame N; input throttle = 0; param m = 1 kg;
         point cart { mass m; position (x, y, z) in N; velocity (u, v, w) in N; }
-        force push = throttle*1 [N]*N.1;";
+        force push = throttle*1 [N]*N.1; marker mark in N; observe mark = position + mark;";
     let model = model_spec::load::from_text("cart.hyz", text, &[]).expect("a model");
     let with = |interpolation| {
         let samples = [(0.0, 0.2), (0.5, 0.8), (1.1, 0.3), (2.0, 0.5)];
