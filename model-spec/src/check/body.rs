@@ -196,12 +196,17 @@ impl<'a> Checker<'a> {
         for body in bodies.collect::<Vec<_>>() {
             let (parts, _) = Parts::of(body);
             if let Some(mass) = parts.mass {
+                let earlier = self.diagnostics.len();
                 self.constant_of_body(mass, Unit::KILOGRAM, "the mass", false);
+                self.replaced(earlier, mass.span);
             }
             let Some((inertia, span)) = parts.inertia else {
                 continue;
             };
-            let Some(entries) = self.inertia_entries(inertia, span) else {
+            let earlier = self.diagnostics.len();
+            let entries = self.inertia_entries(inertia, span);
+            self.replaced(earlier, span);
+            let Some(entries) = entries else {
                 continue;
             };
             let values = entries
@@ -223,6 +228,19 @@ impl<'a> Checker<'a> {
                 self.report(fault.help("check the signs and sizes of the products of inertia"));
             }
         }
+    }
+
+    /// Drops errors before the place `earlier` that lie in `span` if errors follow: those are of a parameter that stands for
+    /// a part of a body, which no file states.
+    fn replaced(&mut self, earlier: usize, span: Span) {
+        let later = self.diagnostics.split_off(earlier);
+        if !later.is_empty() {
+            let is_within = |own: Span| {
+                own.source == span.source && span.start <= own.start && own.end <= span.end
+            };
+            self.diagnostics.retain(|fault| !is_within(fault.span));
+        }
+        self.diagnostics.extend(later);
     }
 
     /// Resolves a mass or an inertia entry, which messages call `what`; reports one that can vary or, unless `signed`,

@@ -204,7 +204,7 @@ fn no_rates_are_added_to_quaternions() {
     let text = "model spin; frame N; frame C = N by quaternion (q0, q1, q2, q3); param p = 3 rad/s;
         state q0 = 1; state q1 = 0; state q2 = 0; state q3 = 0; state v = 0 m/s;
         der(q0) = -q1*p/2; der(q1) = q0*p/2; der(q2) = q3*p/2; der(q3) = -q2*p/2;
-        der(v) = C.1.2*(1 [m/s^2]);";
+        der(v) = in_N(C.1).2*(1 [m/s^2]);";
     let tree = ModelTree::of(&from_text("spin.hyz", text, &[]).unwrap());
     assert!(tree.find_effect("rate-of-q1").is_err());
     assert!(tree.find_effect("rate-of-v").is_ok());

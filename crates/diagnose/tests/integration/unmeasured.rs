@@ -15,6 +15,15 @@ fn named(found: &Diagnosis) -> Vec<&str> {
     effects.map(|effect| effect.name.as_str()).collect()
 }
 
+/// Sets states at the start of a release.
+fn set(release: &mut Release, values: &[(&str, f64)]) {
+    for (name, value) in values {
+        let mut states = release.initial.iter_mut();
+        let state = states.find(|(own, _)| own == name);
+        state.expect("a state").1 = *value;
+    }
+}
+
 /// Eight flights of a ball, each with a spin of its own that lifts it.
 fn spun() -> Dataset {
     let lifted = load("ball", &["magnus"]).unwrap();
@@ -23,14 +32,15 @@ fn spun() -> Dataset {
             let wave = |factor: f64| (factor * f64::from(k)).sin();
             let mut release = Release::of(&lifted);
             release.coefficients = vec![("C_Lw".into(), 1.0)];
-            release.initial = [
-                ("z", 2.0),
-                ("vx", 20.0 + 3.0 * wave(1.7)),
-                ("vy", wave(2.3)),
-                ("vz", 5.0 + wave(0.9)),
-            ]
-            .map(|(name, value)| (name.to_owned(), value))
-            .to_vec();
+            set(
+                &mut release,
+                &[
+                    ("z", 2.0),
+                    ("vx", 20.0 + 3.0 * wave(1.7)),
+                    ("vy", wave(2.3)),
+                    ("vz", 5.0 + wave(0.9)),
+                ],
+            );
             let spin = [60.0 * wave(1.1), 120.0 * wave(1.9), 150.0 * wave(0.7)];
             release.known = vec![("omega".into(), spin)];
             release
@@ -92,13 +102,12 @@ fn a_wind_of_all_flights_is_not_one_of_each() {
                     InputSeries::new(&samples, InputInterpolation::Linear)
                 };
                 let mut release = Release::of(&model);
-                release.initial = [
+                let start = [
                     ("z", 20.0),
                     ("vx", 3.0 * wave(1.3, 0.0)),
                     ("vz", wave(0.8, 0.0)),
-                ]
-                .map(|(name, value)| (name.to_owned(), value))
-                .to_vec();
+                ];
+                set(&mut release, &start);
                 release.inputs = vec![
                     (
                         "throttle".into(),
