@@ -278,6 +278,7 @@ fn inputs_of_releases_are_written_with_their_interpolation() {
     let with = |interpolation| {
         let samples = [(0.0, 0.2), (0.5, 0.8), (1.1, 0.3), (2.0, 0.5)];
         let mut release = Release::of(&model);
+        release.initial[2].1 = 100.0;
         release.inputs = vec![("throttle".into(), InputSeries::new(&samples, interpolation))];
         release
     };

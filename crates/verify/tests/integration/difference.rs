@@ -444,10 +444,9 @@ fn a_release_that_one_model_cannot_fly_is_an_error_that_names_the_model() {
     assert!(error.starts_with("the new model"), "{error}");
     let error = landing("backhand", &ball, &disc).unwrap_err().to_string();
     assert!(error.starts_with("the old model"), "{error}");
-    let error = landing("absent.toml", &disc, &disc)
-        .unwrap_err()
-        .to_string();
-    assert!(error.contains("absent.toml"), "{error}");
+    let error = landing("absent.toml", &disc, &disc).unwrap_err();
+    let cause = std::error::Error::source(&error).expect("a cause");
+    assert!(cause.to_string().contains("absent.toml"), "{cause}");
 }
 
 #[test]
