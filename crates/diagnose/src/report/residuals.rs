@@ -15,6 +15,10 @@ const MAX_DEPARTURES: usize = 3;
 /// Fraction of the misfit that an explanation must account for if residuals remain and the flights do not agree on it.
 const MIN_EXPLAINED: f64 = 0.9;
 
+/// Ratio of the decrease of χ² by an explanation to that without the priors that the data contradict, above which it is not
+/// their stand-in.
+const MORE_THAN_PRIORS: f64 = 2.0;
+
 /// Replaces the lack-of-fit test by that of the extended model, and the shares of the explanations: what the first one
 /// leaves is measured, and the others leave as much more as their χ² falls less.
 pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
@@ -103,21 +107,26 @@ pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
 }
 
 /// Withdraws the verdict where the data contradict what the user states, most flights could not be used, or recorded inputs
-/// are too noisy: the effect may stand in for it. A prior that the data contradict no more once the model is extended, and
-/// fits, was contradicted for want of the effect.
+/// are too noisy: the effect may stand in for it. A prior was contradicted for want of the effect if that explains far more
+/// than leaving the prior out would, and no conflict is left with it.
 pub(crate) fn withdraw_by_doubts(
     report: &mut Report,
     before: &FitReport,
     after: Option<&FitReport>,
 ) {
+    let by_priors: f64 = before.prior_conflicts().map(|(_, z)| z * z).sum();
+    let explained = report.explanations.first();
+    let explained = explained.is_some_and(|own| own.chi2_decrease > MORE_THAN_PRIORS * by_priors);
     let alpha = report.threshold.alpha;
-    let fits = report
-        .lack_of_fit
-        .as_ref()
-        .is_some_and(|found| !found.fails(alpha));
-    let after = after.filter(|_| fits);
+    let fits = { report.lack_of_fit.as_ref() }.is_some_and(|found| !found.fails(alpha));
+    let after = after.filter(|_| explained && fits);
     let mut doubts = before.contradicted.clone();
-    doubts.extend(after.unwrap_or(before).prior_conflicts());
+    doubts.extend(
+        after
+            .unwrap_or(before)
+            .prior_conflicts()
+            .map(|(why, _)| why),
+    );
     doubts.extend(exclusion_caution(before));
     doubts.extend(input_noise(before));
     if doubts.is_empty() || !matches!(report.verdict, Verdict::Identified | Verdict::Ambiguous) {

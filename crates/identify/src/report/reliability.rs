@@ -40,13 +40,14 @@ impl FitReport {
     /// Sentences on what the user states and the data contradict.
     #[doc(hidden)]
     pub fn conflicts(&self) -> Vec<String> {
-        let priors = self.prior_conflicts();
+        let priors = self.prior_conflicts().map(|(why, _)| why);
         priors.chain(self.contradicted.iter().cloned()).collect()
     }
 
-    /// Sentences on priors that the data contradict.
+    /// Sentences on priors that the data contradict, each with the number of standard deviations: without the prior, χ²
+    /// falls by its square.
     #[doc(hidden)]
-    pub fn prior_conflicts(&self) -> impl Iterator<Item = String> {
+    pub fn prior_conflicts(&self) -> impl Iterator<Item = (String, f64)> {
         let coefficients = self.coefficients.iter();
         coefficients.filter_map(|(name, own)| prior_conflict(name, own))
     }
@@ -178,7 +179,7 @@ fn opposite_signs(report: &FitReport) -> Option<String> {
 
 /// The data alone give d with the variance V_d, the fit with the prior m ± σ gives e with V. Since 1/V = 1/V_d + 1/σ²,
 /// (d − m)²/(V_d + σ²) = (e − m)²/(σ² − V).
-fn prior_conflict(name: &str, coefficient: &Coefficient) -> Option<String> {
+fn prior_conflict(name: &str, coefficient: &Coefficient) -> Option<(String, f64)> {
     let [mean, sigma] = coefficient.prior?;
     let variance = coefficient.std_error.powi(2);
     let moved = coefficient.value - mean;
@@ -187,10 +188,11 @@ fn prior_conflict(name: &str, coefficient: &Coefficient) -> Option<String> {
     (of_data > 0.0 && conflict > MAX_PRIOR_CONFLICT).then(|| {
         let by_data = mean + moved * sigma * sigma / of_data;
         let digits = Digits::of(by_data, sigma.min(coefficient.std_error));
-        format!(
+        let why = format!(
             "the data contradict the prior {name} = {mean} ± {sigma}: they alone give {}, {conflict:.1} standard deviations away",
             digits.one(by_data)
-        )
+        );
+        (why, conflict)
     })
 }
 
