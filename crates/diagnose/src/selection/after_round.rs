@@ -69,15 +69,7 @@ impl Search {
                         break;
                     }
                     let from = model.at_null_value(&accepted.iterate, of_each);
-                    let Some(hypothesis) = model.fit_hypothesis(&effects, &from, &self.noise)
-                    else {
-                        continue;
-                    };
-                    let found =
-                        model.is_adequate(&hypothesis, &self.noise, self.at_base.thresholds);
-                    if if_possible(found)?.unwrap_or(false) {
-                        common.push(hypothesis);
-                    }
+                    common.extend(self.adequate(model, &effects, &from)?);
                 }
             }
         }

@@ -274,6 +274,20 @@ impl Search {
         Ok(())
     }
 
+    /// The hypothesis of `effects`, fitted from `from`, if it is adequate.
+    pub(super) fn adequate(
+        &self,
+        model: &ScoreTestModel<'_>,
+        effects: &[CandidateId],
+        from: &Iterate,
+    ) -> Result<Option<Hypothesis>, DiagnosisError> {
+        let Some(hypothesis) = model.fit_hypothesis(effects, from, &self.noise) else {
+            return Ok(None);
+        };
+        let found = model.is_adequate(&hypothesis, &self.noise, self.at_base.thresholds);
+        Ok(if_possible(found)?.unwrap_or(false).then_some(hypothesis))
+    }
+
     /// Adequate hypotheses with one effect fewer than the accepted ones; `None` if every effect is needed.
     fn prune(&self, model: &ScoreTestModel<'_>) -> Result<Option<Vec<Hypothesis>>, DiagnosisError> {
         let mut fewer: Vec<Hypothesis> = Vec::new();
@@ -289,13 +303,7 @@ impl Search {
                     continue;
                 }
                 let from = model.at_null_value(&hypothesis.iterate, *dropped);
-                let Some(hypothesis) = model.fit_hypothesis(&rest, &from, &self.noise) else {
-                    continue;
-                };
-                let found = model.is_adequate(&hypothesis, &self.noise, self.at_base.thresholds);
-                if if_possible(found)?.unwrap_or(false) {
-                    fewer.push(hypothesis);
-                }
+                fewer.extend(self.adequate(model, &rest, &from)?);
             }
         }
         sort_by_number(&mut fewer, |hypothesis| hypothesis.squares);
