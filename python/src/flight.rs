@@ -51,7 +51,7 @@ pub fn released(
     let stated = release.parameters.iter().chain(&release.coefficients);
     let stated = stated.filter(|(name, _)| !set.iter().any(|(own, _)| own == name));
     let stated = stated.map(|(name, value)| (name, value));
-    warn(py, &overruled(&model.replaced(), stated, "the release"))?;
+    warn(py, &overruled(model.replaced(), stated, "the release"))?;
     match vocabulary.model.filter(|_| release.wind_field.is_some()) {
         Some(composed) => Ok((composed, None, release)),
         None => Ok((model.checked.clone(), Some(model.compiled_model()), release)),

@@ -37,6 +37,8 @@ pub struct Model {
     compiled: OnceLock<Compiled>,
     tape: OnceLock<TapeModel>,
     constants: OnceLock<Vec<(usize, Name)>>,
+    /// All values that were replaced, once they are asked for.
+    overruled: OnceLock<Vec<(String, f64)>>,
 }
 
 /// A compiled model with the invariants of its default parameters.
@@ -94,6 +96,7 @@ impl Model {
             compiled: OnceLock::new(),
             tape: OnceLock::new(),
             constants: OnceLock::new(),
+            overruled: OnceLock::new(),
         })
     }
 
@@ -137,13 +140,15 @@ impl Model {
     }
 
     /// Values that were replaced, those of a changed built-in model among them.
-    pub fn replaced(&self) -> Vec<(String, f64)> {
-        let mut values = flight::release::replaced(&self.checked);
-        let is_known = |name: &String| values.iter().any(|(known, _)| known == name);
-        let own = self.replaced.iter().filter(|(name, _)| !is_known(name));
-        let own: Vec<_> = own.cloned().collect();
-        values.extend(own);
-        values
+    pub fn replaced(&self) -> &[(String, f64)] {
+        self.overruled.get_or_init(|| {
+            let mut values = flight::release::replaced(&self.checked);
+            let is_known = |name: &String| values.iter().any(|(known, _)| known == name);
+            let own = self.replaced.iter().filter(|(name, _)| !is_known(name));
+            let own: Vec<_> = own.cloned().collect();
+            values.extend(own);
+            values
+        })
     }
 
     /// The functions of the model.
