@@ -1,6 +1,7 @@
 //! Names, words and units that may stand at a place.
 
 use model_spec::symbols::{BodyQuantity, Declaration, INNER, SymbolKind};
+use model_spec::syntax::words::{STATEMENTS, block_of};
 use model_spec::unit::symbol;
 use serde_json::{Value, json};
 
@@ -15,76 +16,6 @@ use super::words::{built_in, statements};
 const COMPOUND: [&str; 18] = [
     "kg", "mm", "cm", "km", "ms", "m/s", "m/s^2", "rad/s", "kg*m^2", "kg/m^3", "N*m", "N*m*s",
     "m^2", "km/h", "/s", "/rad", "/rad^2", "mN",
-];
-
-/// Words that begin a statement in a block, by the word that begins the block.
-const BLOCKS: [(&str, &[&str]); 7] = [
-    ("solve", &["unknown", "constraint"]),
-    ("body", OF_BODY),
-    ("point", OF_BODY),
-    (
-        "claim",
-        &[
-            "mass", "inertia", "fixed", "axis", "forward", "position", "velocity", "angular",
-            "force", "moment", "let",
-        ],
-    ),
-    ("check", &["set", "expect", "let"]),
-    ("function", &["let", "return"]),
-    (
-        "effect",
-        &[
-            "source",
-            "needs",
-            "generalises",
-            "increases",
-            "decreases",
-            "site",
-            "variables",
-            "coefficient",
-            "param",
-            "input",
-            "state",
-            "der",
-            "replace",
-            "function",
-            "table",
-            "let",
-            "force",
-            "moment",
-            "negligible",
-        ],
-    ),
-];
-
-const OF_BODY: &[&str] = &[
-    "mass", "inertia", "fixed", "axis", "forward", "position", "velocity", "angular", "let",
-];
-
-/// Words that begin a statement in blocks alone.
-const INNER_STATEMENTS: [&str; 22] = [
-    "unknown",
-    "constraint",
-    "set",
-    "expect",
-    "replace",
-    "site",
-    "variables",
-    "source",
-    "needs",
-    "generalises",
-    "negligible",
-    "increases",
-    "decreases",
-    "mass",
-    "inertia",
-    "fixed",
-    "axis",
-    "forward",
-    "position",
-    "velocity",
-    "angular",
-    "return",
 ];
 
 /// What may stand at a place.
@@ -118,10 +49,8 @@ pub fn complete(document: &Document, project: &Project<'_>, position: &Value) ->
         Place::Nothing => json!([]),
         Place::Statement => {
             let block = block(before);
-            let may_stand = |word: &str| match BLOCKS.iter().find(|own| own.0 == block) {
-                Some((_, inner)) => inner.contains(&word),
-                None => !INNER_STATEMENTS.contains(&word),
-            };
+            let inside = block_of(block).map_or(&STATEMENTS[..], |own| own.statements);
+            let may_stand = |word: &str| inside.contains(&word);
             let mut own = statements();
             own.retain(|(word, ..)| may_stand(word));
             let mut items = words(&own, 14);

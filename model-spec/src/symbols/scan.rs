@@ -5,9 +5,9 @@ use std::ops::Range;
 
 use super::{Declaration, Namespace, SymbolKind};
 use crate::syntax::lexer::{Lexeme, lex};
-use crate::syntax::parser::STATEMENTS;
 use crate::syntax::spelling::plain;
 use crate::syntax::token::Token;
+use crate::syntax::words::begins_statement;
 
 /// A word, before it is known what a name refers to.
 pub(super) enum Found {
@@ -170,7 +170,7 @@ impl<'a> Scanner<'a> {
                 Token::Sign("}") if braces > 0 => braces -= 1,
                 Token::Sign(";") if braces > 0 => {}
                 Token::Sign(";" | "{" | "}") => return at,
-                Token::Name if at > start && own.first && STATEMENTS.contains(&self.text(at)) => {
+                Token::Name if at > start && own.first && begins_statement(self.text(at)) => {
                     return at;
                 }
                 _ => {}

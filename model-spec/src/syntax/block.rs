@@ -7,6 +7,7 @@ use super::ast::{
 use super::parser::{Parser, Read};
 use super::stated_twice;
 use super::token::Token;
+use super::words;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use std::fmt::{self, Display, Formatter, Write};
 
@@ -25,24 +26,10 @@ impl Parser<'_> {
 
     fn body_part(&mut self, is_claimed: bool) -> Read<BodyPart> {
         let start = self.here();
-        let (known, what): (&[&str], &str) = match is_claimed {
-            false => (
-                &[
-                    "mass", "inertia", "fixed", "axis", "forward", "position", "velocity",
-                    "angular",
-                ],
-                "`mass`, `inertia`, `fixed in`, `axis`, `forward`, `position`, `velocity` or `angular velocity`",
-            ),
-            true => (
-                &[
-                    "mass", "inertia", "fixed", "axis", "forward", "position", "velocity",
-                    "angular", "force", "moment",
-                ],
-                "`mass`, `position`, `velocity`, `force`, `inertia`, `fixed in`, `axis`, `forward`, `angular velocity` or `moment`",
-            ),
-        };
+        let block = if is_claimed { "claim" } else { "body" };
+        let known = words::block_of(block).map_or(&[][..], |own| own.statements);
         let Some(&word) = known.iter().find(|word| **word == self.raw()) else {
-            return self.expected_word(what, known);
+            return self.expected_word(known);
         };
         self.advance();
         let (words, kind) = match word {
@@ -193,7 +180,7 @@ impl Parser<'_> {
                 let help = format!("write `set {} = …;`", self.raw());
                 return self.expected_help("`set` or `expect`", Some(help));
             }
-            return self.expected_word("`set` or `expect`", &["set", "expect"]);
+            return self.expected_statement_of("check");
         }
         let mut name =
             self.name_or_element("what is expected: a named quantity or `der(STATE)`")?;
@@ -237,7 +224,7 @@ impl Parser<'_> {
             "der" => return self.balance(),
             _ => {
                 let what = "`body`, `point` or `der(…)` after `claim`";
-                return self.expected_word(what, &["body", "point", "der"]);
+                return self.expected_or(what, &["body", "point", "der"]);
             }
         };
         self.advance();
@@ -326,7 +313,7 @@ impl Parser<'_> {
                 "monotone" => interpolation = Interpolation::Monotone,
                 "linear" => interpolation = Interpolation::Linear,
                 "constant" => continuation = Continuation::Constant,
-                _ => return self.expected_word(WAYS, &known),
+                _ => return self.expected_or(WAYS, &known),
             }
             let (word, here) = (self.raw(), self.here());
             if let Some(first) = stated[usize::from(word == "constant")].replace(here) {
@@ -344,7 +331,7 @@ impl Parser<'_> {
             }
             self.advance();
             if self.eat(Token::Sign(",")) && self.peek() != Token::Name {
-                return self.expected_word(WAYS, &[]);
+                return self.expected_or(WAYS, &[]);
             }
         }
         self.semicolon("this `table`")?;

@@ -49,31 +49,7 @@ impl Parser<'_> {
             "table" => self.table()?,
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
-            _ => {
-                let what = "`source`, `needs`, `generalises`, `site`, `variables`, `coefficient`, `input`, \
-                            `state`, `der`, `replace`, `function`, `table`, `let`, `force`, `moment` or `negligible`";
-                const WORDS: [&str; 18] = [
-                    "source",
-                    "needs",
-                    "generalises",
-                    "increases",
-                    "decreases",
-                    "site",
-                    "variables",
-                    "coefficient",
-                    "input",
-                    "state",
-                    "der",
-                    "replace",
-                    "function",
-                    "table",
-                    "let",
-                    "force",
-                    "moment",
-                    "negligible",
-                ];
-                return self.expected_word(what, &WORDS);
-            }
+            _ => return self.expected_statement_of("effect"),
         };
         let item = Item::new(kind, doc, start.to(self.behind()));
         Ok(EffectPart::Add(Box::new(item)))

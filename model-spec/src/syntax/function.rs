@@ -91,7 +91,7 @@ impl Parser<'_> {
                 self.semicolon("this `return`")?;
                 Ok(Part::Return(value, start.to(self.behind())))
             }
-            _ => self.expected_word("`let` or `return`", &["let", "return"]),
+            _ => self.expected_statement_of("function"),
         }
     }
 

@@ -20,6 +20,7 @@ pub mod spelling;
 mod statement;
 pub(crate) mod token;
 mod walk;
+pub mod words;
 
 pub(crate) use body_parts::{Parts, lacking, stated_twice};
 pub(crate) use walk::of_kind;

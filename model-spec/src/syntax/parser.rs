@@ -4,47 +4,12 @@ use super::ast::{Expr, File, Item, Name};
 use super::lexer::{self, Lexed, Lexeme};
 use super::spelling;
 use super::token::Token;
+use super::words;
 use crate::diagnostic::{self, Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
 /// Maximum nesting depth of an expression, which bounds the recursion of the parser.
 const MAX_DEPTH: u32 = 64;
-
-pub(crate) const STATEMENTS: [&str; 33] = [
-    "model",
-    "include",
-    "reference",
-    "param",
-    "coefficient",
-    "input",
-    "state",
-    "frame",
-    "body",
-    "point",
-    "claim",
-    "function",
-    "table",
-    "let",
-    "force",
-    "moment",
-    "der",
-    "solve",
-    "marker",
-    "observe",
-    "clock",
-    "limit",
-    "check",
-    "effect",
-    "set",
-    "expect",
-    "replace",
-    "site",
-    "variables",
-    "source",
-    "negligible",
-    "increases",
-    "decreases",
-];
 
 /// Error of a grammar rule: a syntax error has already been reported, and the current statement is abandoned.
 pub(super) struct Reported;
@@ -285,8 +250,18 @@ impl<'a> Parser<'a> {
         words.iter().copied().filter(move |_| is_shown)
     }
 
+    /// Reports that one of `words` was expected, and suggests the nearest; returns `Err`.
+    pub fn expected_word<T>(&mut self, words: &[&str]) -> Read<T> {
+        self.expected_or(&words::listed(words), words)
+    }
+
+    /// Reports that a statement of the block that begins with `block` was expected; returns `Err`.
+    pub fn expected_statement_of<T>(&mut self, block: &str) -> Read<T> {
+        self.expected_word(words::block_of(block).map_or(&[], |own| own.statements))
+    }
+
     /// Reports that `what` was expected, and suggests the nearest of `words`; returns `Err`.
-    pub fn expected_word<T>(&mut self, what: &str, words: &[&str]) -> Read<T> {
+    pub fn expected_or<T>(&mut self, what: &str, words: &[&str]) -> Read<T> {
         let near = match self.peek() {
             Token::Name => suggest::nearest(self.raw(), self.suggestions(words)),
             _ => None,
@@ -448,7 +423,7 @@ impl<'a> Parser<'a> {
                     if open == 0
                         && self.at > started
                         && self.first_on_line()
-                        && STATEMENTS.contains(&self.raw()) =>
+                        && words::begins_statement(self.raw()) =>
                 {
                     return;
                 }

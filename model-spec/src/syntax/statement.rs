@@ -4,8 +4,9 @@ use super::ast::{
     Equation, Frame, FrameKind, Index, Input, Item, ItemKind, Let, Limit, Load, LoadClass, Marker,
     Name, Number, Observe, Parameter, ParameterClass, Quantity, State, UnitExpr,
 };
-use super::parser::{Parser, Read, STATEMENTS};
+use super::parser::{Parser, Read};
 use super::token::Token;
+use super::words;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::unit::symbol;
 
@@ -53,15 +54,7 @@ impl Parser<'_> {
     /// Reports that `word` does not begin a statement in this context. Always returns `Err`.
     pub fn no_statement<T>(&mut self, word: &str) -> Read<T> {
         let span = self.here();
-        let block = match word {
-            "set" | "expect" => Some("check \"…\""),
-            "replace" | "site" | "source" | "variables" | "negligible" | "increases"
-            | "decreases" => Some("effect NAME"),
-            "unknown" | "constraint" => Some("solve"),
-            "mass" | "inertia" | "fixed" | "axis" | "forward" | "position" | "velocity"
-            | "angular" => Some("body NAME"),
-            _ => None,
-        };
+        let block = words::inside(word).map(|own| own.form);
         let message = match block {
             Some(block) => format!("`{word}` stands inside `{block} {{ }}`, not here"),
             None => format!("no statement begins with `{word}`"),
@@ -85,7 +78,7 @@ impl Parser<'_> {
                 let help = "the index stands behind a name: `let r[i] for i in 1..8 = …;`";
                 fault = fault.help(help);
             }
-            fault = fault.did_you_mean(word, self.suggestions(&STATEMENTS));
+            fault = fault.did_you_mean(word, self.suggestions(&words::STATEMENTS));
         } else if block == Some("body NAME")
             && (self.peek_at(1), self.peek_at(2)) == (Token::Name, Token::Sign("="))
         {
