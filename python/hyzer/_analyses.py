@@ -218,8 +218,8 @@ def design(
     wind : sequence of 3 floats or path, optional
         Velocity of the air in the inertial frame, m/s, or a file with `[wind]`.
     fit : Fit or path, optional
-        A fit, or its `report.json`, whose standard errors scatter the coefficients. Those that the
-        model does not have are left out, with a warning.
+        A fit, or its `report.json`, whose coefficients are flown, with their standard errors in the
+        spread. Those that the model does not have are left out, with a warning.
     starts, samples, seed : int
         Numbers of starting throws and of sampled landings; seed of both.
     threads : int, optional

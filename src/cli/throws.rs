@@ -83,7 +83,7 @@ pub struct Design {
     /// Wind: its velocity in the inertial frame, m/s, or a TOML file with [wind]: profiles in height, gusts (docs/reference/wind.md)
     #[arg(long, value_name = "X,Y,Z|FILE", allow_hyphen_values = true)]
     pub wind: Option<String>,
-    /// Standard errors of the coefficients, included in the spread: report.json of `hyzer fit`
+    /// Coefficients of a fit, with their standard errors in the spread: report.json of `hyzer fit`; --set goes before it
     #[arg(long, value_name = "FILE")]
     pub fit: Option<PathBuf>,
     /// Number of flights that are sampled for the spread

@@ -12,6 +12,31 @@ fn the_examples_of_their_help_run() {
     the_examples_run("stability", 3, "modes");
 }
 
+#[test]
+fn the_coefficients_of_a_fit_are_flown_unless_others_are_set() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let report = folder.path().join("report.json");
+    let text = r#"{ "coefficients": {
+        "C_D0": { "value": 0.3, "std_error": 0.002, "at_bound": false },
+        "C_Da": { "value": 2.0, "std_error": null, "at_bound": true }
+    }, "correlations": {}, "reliable": true }"#;
+    std::fs::write(&report, text).expect("a report");
+    let miss = |more: &[&str]| {
+        let arguments = "design --goal range --starts 8 --samples 20 --seed 1";
+        let mut command = hyzer();
+        command.args(arguments.split(' ')).args(more);
+        let (status, text, errors) = told(&mut command);
+        assert_eq!(status, 0, "{text}{errors}");
+        text.lines().next().expect("a line").to_owned()
+    };
+    let fit = report.to_str().expect("a path");
+    let by_fit = miss(&["--fit", fit]);
+    assert_eq!(by_fit, miss(&["--set", "C_D0=0.3", "--set", "C_Da=2"]));
+    assert_ne!(by_fit, miss(&[]));
+    let by_both = miss(&["--fit", fit, "--set", "C_D0=0.2"]);
+    assert_eq!(by_both, miss(&["--set", "C_D0=0.2", "--set", "C_Da=2"]));
+}
+
 fn json(file: &Path) -> Value {
     let text = std::fs::read_to_string(file).expect("a file");
     serde_json::from_str(&text).expect("JSON")

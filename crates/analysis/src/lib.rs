@@ -4,19 +4,13 @@
 #![forbid(unsafe_code)]
 
 pub mod design;
+mod estimates;
 #[cfg(feature = "sweep")]
 mod parquet_table;
 pub mod stability;
 #[cfg(feature = "sweep")]
 pub mod sweep;
 
+pub use estimates::{Estimated, Estimates};
 #[cfg(feature = "sweep")]
 pub use parquet_table::{Cells, parquet_table};
-
-/// Why nothing that uses the estimates of a fit is to be relied on, from its `report.json`; `None` if the fit is reliable.
-pub fn doubt_of_fit(report: &serde_json::Value) -> Option<String> {
-    (report["reliable"] == false).then(|| {
-        let first = report["cautions"][0].as_str().unwrap_or("see its report");
-        format!("this fit is not reliable, and its errors may be far larger: {first}")
-    })
-}

@@ -1,7 +1,6 @@
 //! Command `hyzer design`: searches for a throw that serves a purpose; writes its release and a report.
 
-mod errors;
-
+use analysis::Estimates;
 use analysis::design::{
     Aims, Bounds, Design, Goal, SampleOptions, Scattered, SearchOptions, Spread, ThrowFlightError,
     ThrowFlights, ThrownBody, design, spread,
@@ -22,8 +21,11 @@ use crate::{Answer, output};
 pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::results(options.out.as_deref(), &options.figures, &[])?;
     let fit = options.fit.as_deref().map(|file| {
-        let text = errors::text(file)?;
-        anyhow::Ok((format!("--fit: {}", file.display()), text))
+        let place = format!("--fit: {}", file.display());
+        match Estimates::text(file) {
+            Ok(text) => Ok((place, text)),
+            Err(error) => bail!("{place}: {error}"),
+        }
     });
     let bounds = |body: &ThrownBody| match &options.bounds {
         Some(file) => Ok(Some(Bounds::read_file(file, body)?)),
@@ -79,7 +81,7 @@ pub struct Asked<'a> {
     pub units: Units,
     /// Parameters and coefficients as in the option `--set`.
     pub set: &'a [String],
-    /// Name in messages and text of the `report.json` of a fit, whose standard errors scatter the coefficients.
+    /// Name in messages and text of the `report.json` of a fit, whose estimates are flown and whose standard errors scatter them.
     pub fit: Option<(String, String)>,
     /// Number of flights that are sampled for the spread.
     pub samples: usize,
@@ -105,6 +107,23 @@ pub fn designed<R>(
     if let Some(wind) = asked.wind {
         model = super::wind::apply(wind, asked.units, model, &mut release)?;
     }
+    let estimates = match &asked.fit {
+        Some((place, text)) => match Estimates::read(text) {
+            Ok(estimates) => estimates,
+            Err(error) => bail!("{place}: {error}"),
+        },
+        None => Estimates::default(),
+    };
+    // What was fitted is flown, unless another value is asked for.
+    for own in &estimates.coefficients {
+        if model
+            .coefficients
+            .iter()
+            .any(|known| known.name == own.name)
+        {
+            release.coefficients.push((own.name.clone(), own.value));
+        }
+    }
     apply_all(asked.set, &model, &mut release)?;
     let body = ThrownBody::new(model)?;
     let flights = body.with(&release);
@@ -120,13 +139,8 @@ pub fn designed<R>(
         bounds.set("heading", 0.0, 0.0);
     }
     let found = design(&flights, asked.goal, &bounds, &asked.search)?;
-    let mut scattered = Scattered::of(&flights, &bounds.scatter);
-    let (mut left_out, mut doubt) = (Vec::new(), None);
-    if let Some((name, text)) = &asked.fit {
-        let (errors, why) = errors::read(name, text)?;
-        (scattered, left_out) = scattered.with_coefficients(&flights, &errors);
-        doubt = why;
-    }
+    let (scattered, left_out) =
+        Scattered::of(&flights, &bounds.scatter).with_coefficients(&flights, &estimates);
     let aims = aims(&found, &bounds);
     let samples = SampleOptions {
         count: asked.samples,
@@ -141,7 +155,7 @@ pub fn designed<R>(
         bounds,
         spread,
         left_out,
-        doubt,
+        doubt: estimates.doubt,
     };
     then(&made, &flights)
 }

@@ -40,7 +40,7 @@ pub use path::{Landing, Path};
 pub use search::{Design, DesignError, SearchOptions, design, numbers};
 pub use sensitivity::{OneUnit, Sensitivity, sensitivities};
 pub use spread::{
-    Agreement, Aims, Band, CoefficientErrors, Landings, QUANTILES, SampleOptions, Sampled,
-    Scattered, Spread, TOLERATED, landing_covariance, spread,
+    Agreement, Aims, Band, Landings, QUANTILES, SampleOptions, Sampled, Scattered, Spread,
+    TOLERATED, landing_covariance, spread,
 };
 pub use throw_flight::{By, Point, ThrowFlightError, ThrowFlights, ThrownBody};

@@ -1,8 +1,7 @@
 //! Spread of landings: linear and sampled agree where they should, and the case where they do not is told.
 
-use analysis::design::{
-    Aims, CoefficientErrors, Obstacle, SampleOptions, Scatter, Scattered, spread,
-};
+use analysis::design::{Aims, Obstacle, SampleOptions, Scatter, Scattered, spread};
+use analysis::{Estimated, Estimates};
 use flight::throw::{FIELDS, Throw};
 use nalgebra::{Matrix2, Vector2};
 use ode::IntegrationOptions;
@@ -81,13 +80,16 @@ fn errors_of_coefficients_count_with_their_correlations() {
         parameters: Vec::new(),
     };
     let of = |correlation: f64| -> (Matrix2<f64>, Vec<String>) {
-        let errors = CoefficientErrors {
-            errors: vec![
-                ("C_L0".into(), 0.01),
-                ("C_La".into(), 0.1),
-                ("C_absent".into(), 1.0),
-            ],
+        let own = [("C_L0", 0.01), ("C_La", 0.1), ("C_absent", 1.0)];
+        let own = own.map(|(name, error)| Estimated {
+            name: name.to_owned(),
+            value: 0.0,
+            std_error: Some(error),
+        });
+        let errors = Estimates {
+            coefficients: own.to_vec(),
             correlations: vec![("C_La".into(), "C_L0".into(), correlation)],
+            doubt: None,
         };
         let (scattered, unknown) =
             Scattered::of(&flights, &none).with_coefficients(&flights, &errors);

@@ -13,6 +13,7 @@ use super::state::State;
 use super::{FitError, restarts};
 use crate::error::{ExcludedFlight, FaultKind, FlightError};
 use crate::levels::{CLEARLY_SMALLER, FAR_ABOVE, HOPELESS};
+use crate::numbers::significant;
 use crate::observations::Observations;
 use dataset::statistics::median;
 use dataset::{Dataset, Flight};
@@ -77,9 +78,8 @@ fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64
     let (.., accepted) = limits(state);
     let (scale, local, turns) = best.filter(|(scale, ..)| *scale < accepted * before)?;
     let mut note = format!(
-        "its first fit had ended in a wrong minimum (residuals of {:.1} mm, now {:.1} mm); it was started anew",
-        1e3 * before,
-        1e3 * scale
+        "its first fit had ended in a wrong minimum with residuals {} times as large; it was started anew",
+        significant(before / scale, 2)
     );
     if turns != 0 {
         note = format!("{note}; {}", spin_note(turns));

@@ -11,7 +11,7 @@ use ode::IntegrationOptions;
 
 pub use linear::{Landings, landing_covariance};
 pub use sampled::{Band, QUANTILES, Sampled};
-pub use scattered::{CoefficientErrors, Scattered};
+pub use scattered::Scattered;
 
 use crate::design::goal::Obstacle;
 use crate::design::throw_flight::{ThrowFlightError, ThrowFlights};

@@ -3,6 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::Estimates;
 use crate::design::bounds::Scatter;
 use crate::design::throw_flight::{By, ThrowFlights};
 
@@ -13,15 +14,6 @@ pub struct Scattered {
     pub by: Vec<By>,
     /// Covariance matrix, in the units of the quantities.
     pub covariance: DMatrix<f64>,
-}
-
-/// Standard errors and correlations of the coefficients of a fit.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct CoefficientErrors {
-    /// Name and standard error of each coefficient, SI.
-    pub errors: Vec<(String, f64)>,
-    /// Correlations of pairs of coefficients; others are uncorrelated.
-    pub correlations: Vec<(String, String, f64)>,
 }
 
 impl Scattered {
@@ -49,14 +41,15 @@ impl Scattered {
     pub fn with_coefficients(
         mut self,
         flights: &ThrowFlights<'_>,
-        errors: &CoefficientErrors,
+        estimates: &Estimates,
     ) -> (Scattered, Vec<String>) {
         let layout = flights.body.compiled.layout();
         let (mut known, mut unknown) = (Vec::new(), Vec::new());
-        for (name, error) in &errors.errors {
-            match layout.parameter(name) {
-                Some(id) => known.push((name.as_str(), id.index(), *error)),
-                None => unknown.push(name.clone()),
+        for own in &estimates.coefficients {
+            match (layout.parameter(&own.name), own.std_error) {
+                (Some(id), Some(error)) => known.push((own.name.as_str(), id.index(), error)),
+                (Some(_), None) => {}
+                (None, _) => unknown.push(own.name.clone()),
             }
         }
         let first = self.by.len();
@@ -65,7 +58,7 @@ impl Scattered {
             .resize(first + known.len(), first + known.len(), 0.0);
         let correlation = |a: &str, b: &str| {
             let is_pair = |(x, y, _): &&(String, String, f64)| x == a && y == b || x == b && y == a;
-            let found = errors.correlations.iter().find(is_pair);
+            let found = estimates.correlations.iter().find(is_pair);
             found.map_or(0.0, |(.., value)| *value)
         };
         for (i, (a, place, error)) in known.iter().enumerate() {

@@ -2,15 +2,11 @@
 
 use std::path::Path;
 
-use flight::files::bounded_text;
 use flight::release::Reader;
-use serde_json::Value as Json;
 use toml::de::DeTable;
 
 use super::axes::{Axis, AxisKind, Names, Target};
-
-/// Maximum size of `report.json`, bytes.
-const MAX_BYTES: u64 = 64 << 20;
+use crate::Estimates;
 
 /// What a plan takes from a fit.
 #[derive(Default)]
@@ -60,61 +56,47 @@ pub(super) fn read<'t>(
             "found no report in [fit]; expected one, as in report = \"fitted/report.json\"";
         return reader.refuse(table.span(), message);
     };
-    let text = bounded_text(&folder.join(path), MAX_BYTES).map_err(|error| error.to_string());
-    let json = text.and_then(|text| {
-        serde_json::from_str::<Json>(&text).map_err(|error| format!("is no JSON: {error}"))
-    });
-    let json = match json {
-        Ok(json) => json,
+    let text = Estimates::text(&folder.join(path));
+    let estimates = match text.and_then(|text| Estimates::read(&text)) {
+        Ok(estimates) => estimates,
         Err(error) => return reader.refuse(span, format!("{path}: {error}")),
     };
-    let Some(coefficients) = json["coefficients"].as_object() else {
-        let message = format!("{path}: found no coefficients; expected the report.json of a fit");
-        return reader.refuse(span, message);
-    };
     for name in only.iter().flatten() {
-        if !coefficients.contains_key(*name) {
+        if !estimates.coefficients.iter().any(|own| own.name == *name) {
             reader.fault(table.span(), format!("{path} has no coefficient {name:?}"));
         }
     }
     let mut found = Fitted {
-        doubt: crate::doubt_of_fit(&json).map(|doubt| format!("{path}: {doubt}")),
+        doubt: estimates.doubt.map(|doubt| format!("{path}: {doubt}")),
         ..Fitted::default()
     };
-    for (name, coefficient) in coefficients {
-        let is_asked = only.as_ref().is_none_or(|only| only.contains(&&**name));
-        if !is_asked || varied.iter().any(|axis| axis.name == *name) {
+    for own in estimates.coefficients {
+        let is_asked = only.as_ref().is_none_or(|only| only.contains(&&*own.name));
+        if !is_asked || varied.iter().any(|axis| axis.name == own.name) {
             continue;
         }
-        let Some(parameter) = names.parameter(name) else {
+        let Some(parameter) = names.parameter(&own.name) else {
+            let name = own.name;
             let message =
                 format!("{path}: the model of the plan has no {name:?}, which was fitted");
             reader.fault(span.clone(), message);
             continue;
         };
-        let Some(mean) = coefficient["value"].as_f64() else {
-            reader.fault(span.clone(), format!("{path}: {name} has no value"));
-            continue;
-        };
-        let sd = coefficient["std_error"].as_f64();
-        let at_bound = coefficient["at_bound"].as_bool().unwrap_or(false);
-        match sd.filter(|sd| *sd > 0.0 && sd.is_finite() && !at_bound) {
+        match own.std_error {
             Some(sd) => found.axes.push(Axis {
-                name: name.clone(),
+                name: own.name,
                 target: Target::Parameter(parameter),
-                kind: AxisKind::Normal { mean, sd },
+                kind: AxisKind::Normal {
+                    mean: own.value,
+                    sd,
+                },
             }),
-            None => found.fixed.push((name.clone(), mean)),
+            None => found.fixed.push((own.name, own.value)),
         }
     }
-    for (k, a) in found.axes.iter().enumerate() {
-        for b in &found.axes[..k] {
-            let (a, b) = (&a.name, &b.name);
-            let value = json["correlations"][a][b].as_f64();
-            if let Some(value) = value.or(json["correlations"][b][a].as_f64()) {
-                found.correlations.push((a.clone(), b.clone(), value));
-            }
-        }
-    }
+    let varies = |name: &str| found.axes.iter().any(|axis| axis.name == name);
+    let of_axes = estimates.correlations.into_iter();
+    let of_axes = of_axes.filter(|(a, b, _)| varies(a) && varies(b));
+    found.correlations = of_axes.collect();
     Some(found)
 }
