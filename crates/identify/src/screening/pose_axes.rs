@@ -30,82 +30,112 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
     };
     let poses = sensors(dataset).filter(|(sensor, _)| sensor.kind == SensorKind::Pose);
     let each = poses.flat_map(|(_, channel)| {
-        let attitudes = channel + 1;
-        let axes = || body_axes(problem, dataset, attitudes, &inertia);
-        let found = convention(dataset, attitudes, &inertia).or_else(axes);
+        let attitudes = Attitudes {
+            dataset,
+            channel: channel + 1,
+            inertia: &inertia,
+        };
+        let found = attitudes
+            .convention()
+            .or_else(|| attitudes.body_axes(problem));
         let found = found.map(|message| (FaultKind::AttitudeConvention, message));
         found.map_or_else(Vec::new, |found| of_flights(dataset, channel, found))
     });
     each.collect()
 }
 
-/// Message and correction for another convention of quaternions; `None` if the angular momentum does not tell.
-fn convention(
-    dataset: &Dataset,
+type Read = fn(Reading) -> Reading;
+
+/// Other conventions of quaternions: how they are read, what they are, and the correction.
+const CONVENTIONS: [(Read, &str, &str); 3] = [
+    (
+        |[w, x, y, z]| [w, -x, -y, -z],
+        "turn inertial to body components",
+        "state `attitude = \"inertial_to_body\"` in [recording], or write the conjugates",
+    ),
+    (
+        |[x, y, z, w]| [w, x, y, z],
+        "have the scalar part last",
+        "write the scalar part into the column _qw",
+    ),
+    (
+        |[x, y, z, w]| [w, -x, -y, -z],
+        "have the scalar part last and turn inertial to body components",
+        "write the scalar part into the column _qw, and the conjugates",
+    ),
+];
+
+/// Attitudes of a dataset that are read in some convention, and how unsteady the angular momentum is by them.
+struct Attitudes<'a> {
+    dataset: &'a Dataset,
     channel: usize,
-    inertia: &Matrix3<f64>,
-) -> Option<(String, String)> {
-    type Read = fn(Reading) -> Reading;
-    let unsteadiness = |read: Read| {
-        let flights = dataset.flights.iter();
-        let poses =
-            |flight| series(flight, channel).map(move |(time, own)| (time, attitude(read(own))));
-        unsteadiness(flights.map(poses), inertia)
-    };
-    let stated = unsteadiness(|own| own)?;
-    let others: [(Read, &str, &str); 3] = [
-        (
-            |[w, x, y, z]| [w, -x, -y, -z],
-            "turn inertial to body components",
-            "state `attitude = \"inertial_to_body\"` in [recording], or write the conjugates",
-        ),
-        (
-            |[x, y, z, w]| [w, x, y, z],
-            "have the scalar part last",
-            "write the scalar part into the column _qw",
-        ),
-        (
-            |[x, y, z, w]| [w, -x, -y, -z],
-            "have the scalar part last and turn inertial to body components",
-            "write the scalar part into the column _qw, and the conjugates",
-        ),
-    ];
-    let tried = others.into_iter();
-    let tried =
-        tried.filter_map(|(read, what, correction)| Some((unsteadiness(read)?, what, correction)));
-    let best = tried.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    is_clearly_better(best.0, stated).then(|| {
-        (
-            format!(
-                "the quaternions seem to {}: as they are, the angular momentum turns with the body",
-                best.1
-            ),
-            best.2.to_owned(),
-        )
-    })
+    inertia: &'a Matrix3<f64>,
 }
 
-/// Message and correction for a flat body that spins about another than its axis of symmetry.
-fn body_axes(
-    problem: &FitProblem,
-    dataset: &Dataset,
-    channel: usize,
-    inertia: &Matrix3<f64>,
-) -> Option<(String, String)> {
-    let diagonal = inertia.diagonal();
-    let (_, axes) = problem.model.flight_axes()?;
-    let own = usize::from(axes.spin.number) - 1;
-    let others = diagonal[(own + 1) % 3].max(diagonal[(own + 2) % 3]);
-    let is_flat = diagonal[own] > FLAT * others;
-    let flights = dataset.flights.iter();
-    let attitudes = flights.map(|flight| series(flight, channel).map(|(_, own)| attitude(own)));
-    let axis = dataset::spin_axis(attitudes).filter(|axis| is_flat && *axis != own)?;
-    let name = dataset::AXES[axis];
-    Some((
-        format!(
-            "the body spins about its {name} axis; the model is flat, with its {} axis as axis of symmetry",
-            ["first", "second", "third"][own]
-        ),
-        format!("state `body_up = \"+{name}\"` in [recording], or turn the body axes"),
-    ))
+impl Attitudes<'_> {
+    fn unsteadiness(&self, read: Read) -> Option<f64> {
+        let poses = |flight| {
+            series(flight, self.channel).map(move |(time, own)| (time, attitude(read(own))))
+        };
+        unsteadiness(self.dataset.flights.iter().map(poses), self.inertia)
+    }
+
+    /// Axis about which the body spins.
+    fn spin_axis(&self, read: Read) -> Option<usize> {
+        let attitudes =
+            |flight| series(flight, self.channel).map(move |(_, own)| attitude(read(own)));
+        dataset::spin_axis(self.dataset.flights.iter().map(attitudes))
+    }
+
+    /// Message and correction for another convention of quaternions; `None` if the angular momentum does not tell.
+    fn convention(&self) -> Option<(String, String)> {
+        let stated = self.unsteadiness(|own| own)?;
+        let tried = CONVENTIONS.iter();
+        let tried = tried.filter_map(|own| Some((self.unsteadiness(own.0)?, own)));
+        let (best, (_, what, correction)) = tried.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        is_clearly_better(best, stated).then(|| {
+            (
+                format!(
+                    "the quaternions seem to {what}: as they are, the angular momentum turns with the body"
+                ),
+                (*correction).to_owned(),
+            )
+        })
+    }
+
+    /// Message and correction for a flat body that spins about another than its axis of symmetry.
+    fn body_axes(&self, problem: &FitProblem) -> Option<(String, String)> {
+        let diagonal = self.inertia.diagonal();
+        let (_, axes) = problem.model.flight_axes()?;
+        let own = usize::from(axes.spin.number) - 1;
+        let others = diagonal[(own + 1) % 3].max(diagonal[(own + 2) % 3]);
+        let is_flat = diagonal[own] > FLAT * others;
+        let stated: Read = |own| own;
+        let axis = self
+            .spin_axis(stated)
+            .filter(|axis| is_flat && *axis != own)?;
+        let name = dataset::AXES[axis];
+        let turned = format!("state `body_up = \"+{name}\"` in [recording], or turn the body axes");
+        // With the parts of the quaternions exchanged, a spin about one axis looks like one about another.
+        let steadiness = self.unsteadiness(stated)?;
+        let is_better = |(read, ..): &&(Read, &str, &str)| {
+            self.spin_axis(*read) == Some(own)
+                && self
+                    .unsteadiness(*read)
+                    .is_some_and(|other| other < steadiness)
+        };
+        let correction = match CONVENTIONS.iter().find(is_better) {
+            Some((_, what, correction)) => {
+                format!("if the quaternions {what}, {correction}; else {turned}")
+            }
+            None => turned,
+        };
+        Some((
+            format!(
+                "the body spins about its {name} axis; the model is flat, with its {} axis as axis of symmetry",
+                ["first", "second", "third"][own]
+            ),
+            correction,
+        ))
+    }
 }

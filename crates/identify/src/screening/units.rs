@@ -23,6 +23,9 @@ const MIN_TURNING: f64 = 0.4;
 const MIN_TURNED: f64 = 20.0;
 const MIN_CENTRIPETAL: f64 = 10.0;
 
+/// Root mean squares of the readings of bodies in flight, rad/s or m/s²: a unit by which they are outside is not tried.
+const IN_FLIGHT: [f64; 2] = [0.3, 3000.0];
+
 /// Units in which an instrument may record; the first is that of a dataset.
 fn units(instrument: Instrument) -> &'static [(&'static str, f64)] {
     match instrument {
@@ -140,9 +143,16 @@ impl OtherUnit {
                 && instrument != Instrument::Speed
                 && unit(dataset, instrument, (sensor, channel)).is_none()
             {
+                let flights = dataset.flights.iter();
+                let usual = median_of(flights.filter_map(|own| root_mean_square(own, channel)));
+                let is_in_flight = |unit: &UnitOfReadings| {
+                    let converted = usual.map(|usual| usual * unit.value(instrument));
+                    converted.is_some_and(|own| own > IN_FLIGHT[0] && own < IN_FLIGHT[1])
+                };
                 // Each trial is a fit, and the motion itself tells the unit of most gyroscopes.
                 let is_tried = |unit: &UnitOfReadings| {
-                    instrument == Instrument::Accelerometer || !unit.is_converted_twice
+                    (instrument == Instrument::Accelerometer || !unit.is_converted_twice)
+                        && is_in_flight(unit)
                 };
                 let others = UnitOfReadings::all(instrument).skip(1).filter(is_tried);
                 let own = (sensor, channel, instrument);
@@ -187,6 +197,13 @@ impl OtherUnit {
     pub fn faults(&self, dataset: &Dataset, why: &str) -> Vec<DataFault> {
         of_flights(dataset, self.channel, self.fault(why))
     }
+}
+
+/// Root mean square of the readings of a channel; `None` without any.
+fn root_mean_square(flight: &Flight, channel: usize) -> Option<f64> {
+    let squares = series(flight, channel).map(|(_, [x, y, z, _])| x * x + y * y + z * z);
+    let (count, sum) = squares.fold((0.0, 0.0), |(count, sum), own| (count + 1.0, sum + own));
+    (count > 0.0).then(|| f64::sqrt(sum / count))
 }
 
 /// The first gyroscope and its channel.

@@ -66,14 +66,18 @@ fn an_accelerometer_in_g_is_named_where_only_the_fit_tells() {
     };
     let right = fit(&model, &read_in(1.0), &FitOptions::default());
     assert!(right.is_ok());
-    let error = fit(&model, &read_in(9.80665), &FitOptions::default()).err();
-    let Some(FitError::FaultyData(faults)) = error else {
-        panic!("{error:?}");
-    };
-    assert_eq!(faults.len(), 3);
-    let DataFault {
-        detail, correction, ..
-    } = &faults[0];
-    assert!(detail.starts_with("force seems to be in g: "), "{detail}");
-    assert!(correction.contains("acceleration = \"g\""), "{correction}");
+    for (unit, name) in [(9.80665, "g"), (9.80665e-3, "mg")] {
+        let error = fit(&model, &read_in(unit), &FitOptions::default()).err();
+        let Some(FitError::FaultyData(faults)) = error else {
+            panic!("{name}: {error:?}");
+        };
+        assert_eq!(faults.len(), 3);
+        let DataFault {
+            detail, correction, ..
+        } = &faults[0];
+        let told = format!("force seems to be in {name}: ");
+        assert!(detail.starts_with(&told), "{detail}");
+        let stated = format!("acceleration = \"{name}\"");
+        assert!(correction.contains(&stated), "{correction}");
+    }
 }

@@ -114,7 +114,7 @@ fn right_recordings_have_no_fault() {
 #[test]
 fn axes_of_instruments_beside_poses_are_named() {
     type Change = fn(Sample) -> Sample;
-    let cases: [(Change, &str); 9] = [
+    let cases: [(Change, &str); 11] = [
         (
             |own| own.with_rate(|all| all.map(|part| -part)),
             "gyroscope_axes = [\"-x\", \"-y\", \"-z\"]",
@@ -138,6 +138,14 @@ fn axes_of_instruments_beside_poses_are_named() {
         (
             |own| own.with_force(|all| all.map(|part| part / 9.80665)),
             "acceleration = \"g\"",
+        ),
+        (
+            |own| own.with_force(|all| all.map(|part| part / 9.80665e-3)),
+            "acceleration = \"mg\"",
+        ),
+        (
+            |own| own.with_rate(|all| all.map(|part| part.to_degrees() * 1e3)),
+            "angular_rate = \"mdeg/s\"",
         ),
         (
             |own| {
