@@ -6,6 +6,7 @@
 
 mod body_template;
 mod c3d;
+mod even_times;
 mod fields;
 mod file;
 mod header;
@@ -219,6 +220,7 @@ fn assemble<'t>(
     read: impl Fn(&str) -> Result<(PathBuf, Cow<'t, [u8]>, bool), InputError> + Sync,
 ) -> Result<Dataset, InputError> {
     let (mut flights, mut paths) = (Vec::with_capacity(manifest.flights.len()), Vec::new());
+    let mut rounded: Vec<(String, f64)> = Vec::new();
     let names = manifest.markers.iter().map(|marker| marker.name.as_str());
     let names: Vec<&str> = names.collect();
     let (recording, sensors) = (&manifest.recording, &manifest.sensors[..]);
@@ -262,6 +264,7 @@ fn assemble<'t>(
     for (entry, table) in manifest.flights.into_iter().zip(tables) {
         let (path, table, inputs) = table?;
         paths.push(path);
+        rounded.extend(table.rounded.map(|unit| (entry.file.clone(), unit)));
         flights.push(Flight {
             file: entry.file,
             role: entry.role,
@@ -274,6 +277,7 @@ fn assemble<'t>(
         });
     }
     let notes = manifest.summaries.iter().flat_map(|own| own.notes.clone());
+    let notes = notes.chain(even_times::note(&rounded));
     let notes: Vec<String> = notes.collect();
     let (mut markers, mut sensors) = (manifest.markers, manifest.sensors);
     let rows = summary_flights(&manifest.summaries, markers.len(), &mut sensors, &read)?;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::AXES;
+use super::even_times::space_evenly;
 use super::header::Header;
 use super::inputs::InputColumns;
 use super::lines::Lines;
@@ -17,6 +18,8 @@ pub(super) struct Table {
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
     pub readings: Vec<Vec<Option<Reading>>>,
     pub inputs: InputColumns,
+    /// Unit of the last decimal place, s, of times that were rounded and are those of evenly spaced frames.
+    pub rounded: Option<f64>,
 }
 
 pub(super) fn parse(
@@ -45,6 +48,7 @@ pub(super) fn parse(
         let found = "a header and no rows";
         return Err(InputError::at(file, place, found, "at least one sample"));
     }
+    table.rounded = space_evenly(&mut table.times);
     Ok(table)
 }
 

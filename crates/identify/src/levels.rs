@@ -24,6 +24,9 @@ pub const CLEARLY_SMALLER: f64 = 0.7;
 /// outlier; noise exceeds it once in two million.
 pub const SIGNIFICANT: f64 = 5.0;
 
+/// Least noise of a coordinate that residuals are held against, m: rounding and integration errors contribute to them.
+pub const LEAST_NOISE: f64 = 1e-5;
+
 /// Ratio of a variance to the median of many above which a sample contains an outlier.
 pub const OUTLIER_VARIANCE: f64 = SIGNIFICANT * SIGNIFICANT;
 

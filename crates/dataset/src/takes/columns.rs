@@ -23,7 +23,7 @@ pub(crate) enum Quantity {
 }
 
 /// Characters between the label of a column name and what follows it.
-pub(crate) const JOINTS: [char; 4] = ['_', ' ', '.', ':'];
+pub(crate) const JOINTS: [char; 5] = ['_', ' ', '.', ':', '-'];
 
 impl Column {
     /// Splits a column name into label, quantity and unit.
@@ -66,7 +66,7 @@ impl Column {
             _ => Quantity::Other,
         };
         Self {
-            label: label.trim().to_owned(),
+            label: label.trim_matches(JOINTS).to_owned(),
             quantity,
         }
     }
@@ -87,14 +87,10 @@ pub(crate) fn without_unit(name: &str) -> (&str, Option<&str>) {
             return (name[..at].trim_end(), Some(rest[at + 1..].trim()));
         }
     }
-    match name.rfind('_') {
-        Some(at)
-            if at > 0
-                && (matches!(&name[at + 1..], "s" | "ms")
-                    || ["m", "cm", "mm", "in", "ft"].contains(&&name[at + 1..])) =>
-        {
-            (&name[..at], Some(&name[at + 1..]))
-        }
+    let symbols = ["s", "ms", "us", "ns", "m", "cm", "mm", "in", "ft"];
+    let is_symbol = |text: &str| symbols.iter().any(|own| own.eq_ignore_ascii_case(text));
+    match name.rsplit_once('_') {
+        Some((bare, unit)) if !bare.is_empty() && is_symbol(unit) => (bare, Some(unit)),
         _ => (name, None),
     }
 }
@@ -123,6 +119,9 @@ mod tests {
             ("m1_z [mm]", "m1", Quantity::Coordinate(2, mm)),
             ("disc_qw", "disc", Quantity::Quaternion(0)),
             ("qz", "", Quantity::Quaternion(3)),
+            ("TIME (US)", "", Quantity::Time(Some(TimeUnit::Microsecond))),
+            ("M1_X_MM", "M1", Quantity::Coordinate(0, mm)),
+            ("m1 - x (mm)", "m1", Quantity::Coordinate(0, mm)),
             ("roll", "", Quantity::Other),
             ("m1_x (deg)", "m1", Quantity::Other),
         ];

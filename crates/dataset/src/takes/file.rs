@@ -71,7 +71,16 @@ pub(crate) fn decoded(bytes: &[u8]) -> Result<Cow<'_, str>, NotText> {
             Err(error) => return Err(error),
         },
     };
-    Ok(with_newlines(&text).map_or(text, Cow::Owned))
+    let text = with_newlines(&text).map_or(text, Cow::Owned);
+    Ok(with_commented_separator(&text).map_or(text, Cow::Owned))
+}
+
+/// The text with its first line a comment, if that is `sep=;` or its like, by which a table tells a spreadsheet what
+/// separates cells.
+fn with_commented_separator(text: &str) -> Option<String> {
+    let first = text.lines().next().unwrap_or_default().trim_end();
+    let is_separator = first.chars().count() == 5 && first.starts_with("sep=");
+    is_separator.then(|| format!("#{}", &text[1..]))
 }
 
 /// Whether the bytes can be Latin-1: no NUL, no upper control character, and no 0xff, more often damage than ÿ.

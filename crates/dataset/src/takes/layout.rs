@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
+use crate::even_times::space_evenly;
+use crate::takes::unseen;
 use crate::takes::{Body, Fault, Format, LengthUnit, Point, Pose, Sheet, Take, shown};
 
 /// Maximum absolute value of a coordinate in a recording, m.
@@ -180,6 +182,15 @@ impl Layout {
                 .then(|| format!("{zeros} positions of exactly 0, 0, 0 were read as not seen")),
         ];
         take.notes.extend(notes.into_iter().flatten());
+        let unseen = unseen::leave_out(&mut take);
+        take.notes.extend(unseen);
+        if matches!(self.clock, Clock::Column(..))
+            && let Some(unit) = space_evenly(&mut take.times)
+        {
+            take.notes.push(format!(
+                "the times are rounded to {unit} s, and taken as those of evenly spaced frames"
+            ));
+        }
         unique(&mut take);
         Ok(take)
     }

@@ -22,6 +22,7 @@ mod take;
 mod template;
 mod throws;
 mod unit;
+mod unseen;
 mod z_up;
 
 pub use axes::Axis;

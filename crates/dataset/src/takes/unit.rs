@@ -24,6 +24,8 @@ pub enum TimeUnit {
     Second,
     /// Millisecond, 0.001 s.
     Millisecond,
+    /// Microsecond, 1e-6 s.
+    Microsecond,
     /// Nanosecond, 1e-9 s.
     Nanosecond,
 }
@@ -105,6 +107,9 @@ impl TimeUnit {
         match text.trim().to_ascii_lowercase().as_str() {
             "s" | "sec" | "second" | "seconds" => Some(Self::Second),
             "ms" | "msec" | "millisecond" | "milliseconds" => Some(Self::Millisecond),
+            "us" | "µs" | "μs" | "usec" | "microsecond" | "microseconds" => {
+                Some(Self::Microsecond)
+            }
             "ns" | "nsec" | "nanosecond" | "nanoseconds" => Some(Self::Nanosecond),
             _ => None,
         }
@@ -115,6 +120,7 @@ impl TimeUnit {
         match self {
             Self::Second => 1.0,
             Self::Millisecond => 1e-3,
+            Self::Microsecond => 1e-6,
             Self::Nanosecond => 1e-9,
         }
     }

@@ -58,6 +58,20 @@ fn tables_of_other_programs_are_ordinary() {
 }
 
 #[test]
+fn rounded_times_of_frames_are_evenly_spaced_and_noted() {
+    let mut table = "t,centre_x,centre_y,centre_z\n".to_owned();
+    for frame in 0..60 {
+        table += &format!("{:.2},{frame},2,3\n", f64::from(frame) / 60.0);
+    }
+    let dataset = read_both(MANIFEST.as_bytes(), table.as_bytes()).expect("it is well formed");
+    for (frame, time) in dataset.flights[0].times.iter().enumerate() {
+        assert!((time - frame as f64 / 60.0).abs() < 2.5e-3, "{time}");
+    }
+    let noted = |note: &String| note.contains("a.csv") && note.contains("0.01 s");
+    assert!(dataset.notes.iter().any(noted), "{:?}", dataset.notes);
+}
+
+#[test]
 fn one_sample_integers_and_all_flights_held_out_are_ordinary() {
     let manifest = MANIFEST.replace("[0.0, 0.0, 0.0]", "[0, 0, 0]").replace(
         "omega = [1.0, 2.0, 3.0]",

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 use super::residual_cache::ResidualCache;
 use super::state::State;
-use crate::levels::{NEAR_NOISE, ROBUST_ERROR, SIGNIFICANT};
+use crate::levels::{LEAST_NOISE, NEAR_NOISE, ROBUST_ERROR, SIGNIFICANT};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
@@ -160,7 +160,9 @@ pub fn excess(state: &State<'_>, noise: &NoiseModel) -> Option<String> {
         let mut lengths: Vec<f64> = apart.iter().map(Vector3::norm).collect();
         let middle = median(&mut lengths);
         let mut sizes: Vec<f64> = lengths.iter().map(|l| (l - middle).abs()).collect();
-        found.push(robust_sigma(&mut sizes).powi(2));
+        // Of the difference of two coordinates.
+        let least = 2.0 * LEAST_NOISE * LEAST_NOISE;
+        found.push(robust_sigma(&mut sizes).powi(2).max(least));
         count += lengths.len();
     }
     if found.is_empty() {
@@ -346,6 +348,32 @@ mod tests {
         contradicted
             .iter()
             .any(|sentence| sentence.contains("filtered"))
+    }
+
+    #[test]
+    fn flights_without_noise_are_not_held_against_it() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let plan = Plan {
+            flights: 4,
+            duration: Some(0.8),
+            noise: Corruption {
+                sigma: 0.0,
+                ..Corruption::default()
+            },
+            ..Plan::default()
+        };
+        let mut dataset = simulated(&model, "backhand", &plan);
+        // As of another integration, written with six decimals.
+        for flight in &mut dataset.flights {
+            for (time, row) in flight.times.iter().zip(&mut flight.positions) {
+                let error = 5e-6 * (40.0 * time).sin();
+                for point in row.iter_mut().flatten() {
+                    *point = point.map(|own| ((own + error) * 1e6).round() / 1e6);
+                }
+            }
+        }
+        let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
+        assert_eq!(fitted.report.cautions, Vec::<String>::new());
     }
 
     /// Replaces each position, or one of `step`, by the mean of the positions around it with the weights `weights`.

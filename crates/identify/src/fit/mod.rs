@@ -11,6 +11,7 @@ mod held_out;
 mod horizon_continuation;
 mod initial_guess;
 mod marker_distances;
+mod open_side;
 mod outcome;
 mod output_error;
 mod post_fit;

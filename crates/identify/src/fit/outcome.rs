@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use flight::parallel;
 use nalgebra::{DMatrix, DVector};
 
+use super::open_side::open_side;
 use super::output_error::OutputError;
 use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square_sums};
 use super::reweighting::Reweighted;
@@ -99,6 +100,7 @@ pub fn reports(
         lack_of_fit: None,
         doubts,
         doubt_of_summaries,
+        open_side: open_side(state.problem, &state.flights),
         excess: marker_distances::excess(state, &fitted.noise),
         contradicted: marker_distances::filtered(state).into_iter().collect(),
         not_identifiable,

@@ -68,6 +68,10 @@ pub struct FitReport {
     #[serde(skip)]
     #[doc(hidden)]
     pub excess: Option<String>,
+    /// Why the recordings leave open which side of the body is up, and what to check; `None` if they show it.
+    #[serde(skip)]
+    #[doc(hidden)]
+    pub open_side: Option<String>,
     /// What the user states and the data contradict, one sentence each.
     #[serde(skip)]
     #[doc(hidden)]

@@ -1,16 +1,14 @@
 //! Assessment whether a fit is reliable, with the reasons if it is not.
 
-use model_spec::compose::Instrument;
-
-use super::{ATTITUDE, Coefficient, FitReport, FitStatus, InputNoise, MARKER};
-use crate::levels::SIGNIFICANT;
+use super::{Coefficient, FitReport, FitStatus, InputNoise};
+use crate::levels::{LEAST_NOISE, SIGNIFICANT};
 use crate::numbers::Digits;
 use crate::wording::{count, listed};
 use dataset::Role;
 
-/// Ratio of the rms residual to the noise floor above which a fit is not reliable, and least noise floor, m. AR(1) noise
-/// of coefficient 0.9 stays below; rounding and integration errors contribute to residuals.
-const NOISE_LIMIT: (f64, f64) = (5.0, 1e-5);
+/// Ratio of the rms residual to the noise floor above which a fit is not reliable; AR(1) noise of coefficient 0.9 stays
+/// below.
+const NOISE_LIMIT: f64 = 5.0;
 
 /// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
@@ -23,7 +21,7 @@ pub const MAX_PRIOR_CONFLICT: f64 = 3.0;
 
 /// Maximum relative difference of an estimate from the negative of its declared value: signs of small coefficients differ
 /// from body to body, and seldom those alone.
-const NEGATIVE: f64 = 0.1;
+const NEGATIVE: f64 = 0.3;
 
 impl FitReport {
     /// Decides whether the fit is reliable, and states the reasons if it is not.
@@ -102,9 +100,9 @@ pub fn exclusion_caution(report: &FitReport) -> Option<String> {
 }
 
 fn above_noise_floor(report: &FitReport) -> Option<String> {
-    let floor = report.position_noise()?.floor?.max(NOISE_LIMIT.1);
+    let floor = report.position_noise()?.floor?.max(LEAST_NOISE);
     let ratio = report.rms() / floor;
-    (ratio > NOISE_LIMIT.0).then(|| {
+    (ratio > NOISE_LIMIT).then(|| {
         format!(
             "the residuals ({:.1} mm) are {ratio:.0} times the noise of the measurements ({:.2} mm): the model does not fly as these flights do",
             1e3 * report.rms(),
@@ -152,16 +150,10 @@ fn at_bound(name: &str, coefficient: &Coefficient) -> Option<String> {
     })
 }
 
-/// Caution that coefficients are the negatives of what the model declares, where only instruments show the body's axes:
-/// a body that is turned over flies the same way with them.
+/// Caution that coefficients have the opposite of the declared sign, where the recordings leave open which side of the
+/// body is up: a body that is turned over flies the same way with them.
 fn opposite_signs(report: &FitReport) -> Option<String> {
-    let kinds = || report.residual_rms.keys().map(String::as_str);
-    let instruments = [Instrument::Gyroscope, Instrument::Accelerometer].map(Instrument::name);
-    if !kinds().any(|kind| instruments.contains(&kind))
-        || kinds().any(|kind| [MARKER, ATTITUDE].contains(&kind))
-    {
-        return None;
-    }
+    let why = report.open_side.as_ref()?;
     let is_opposite = |own: &Coefficient| {
         (own.value + own.model_value).abs() < NEGATIVE * own.model_value.abs()
             && own.value.abs() > SIGNIFICANT * own.std_error
@@ -171,7 +163,7 @@ fn opposite_signs(report: &FitReport) -> Option<String> {
     let names: Vec<&String> = opposite.map(|(name, _)| name).collect();
     (!names.is_empty()).then(|| {
         format!(
-            "{}: the sign is the opposite of the declared one, and nothing but the instruments shows the axes of the body; check their axes (`gyroscope_axes` and `accelerometer_axes` in [recording])",
+            "{}: the sign is the opposite of the declared one, and {why}",
             listed(&names)
         )
     })

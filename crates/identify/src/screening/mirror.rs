@@ -123,8 +123,7 @@ pub fn check_all(
     let Some(usual) = usual_side(problem) else {
         return Vec::new();
     };
-    let is_turned = |side: &f64| side * usual < 0.0 && side.abs() > UPRIGHT;
-    if seen.len() < MIN_FLIGHTS || !seen.iter().all(is_turned) {
+    if seen.len() < MIN_FLIGHTS || !seen.iter().all(|side| is_turned(*side, usual)) {
         return Vec::new();
     }
     let (mut plain, mut converted) = (Vec::new(), Vec::new());
@@ -148,6 +147,31 @@ pub fn check_all(
     }
     let fault = |(flight, _): (&Flight, &Track)| DataFault::new(flight, kind, detail, correction);
     with_track().map(fault).collect()
+}
+
+/// Whether the body is upside down in all flights, as markers in a plane show it if the axes are left-handed.
+pub(crate) fn is_upside_down(problem: &FitProblem, flights: &[Observations]) -> bool {
+    if !problem.is_shown_by_markers() || !problem.has_attitude || is_decided_by(&problem.markers) {
+        return false;
+    }
+    let normal = normal(&problem.markers);
+    let side = |flight: &Observations| {
+        let poses = flight.poses(problem);
+        median_of(
+            poses
+                .iter()
+                .flatten()
+                .map(|pose| (pose.attitude * normal).z),
+        )
+    };
+    let is_turned =
+        |flight: &Observations, usual| side(flight).is_some_and(|own| is_turned(own, usual));
+    usual_side(problem).is_some_and(|usual| flights.iter().all(|flight| is_turned(flight, usual)))
+}
+
+/// Whether a body with the markers' normal `side` is upside down, where `usual` is that of the default state.
+fn is_turned(side: f64, usual: f64) -> bool {
+    side * usual < 0.0 && side.abs() > UPRIGHT
 }
 
 /// Vertical component of the markers' normal in the default state; `None` if too small.

@@ -7,7 +7,7 @@ mod handling;
 mod instrument_axes;
 mod loads;
 mod meaning;
-mod mirror;
+pub(crate) mod mirror;
 mod momentum;
 mod motion;
 mod path_speed;

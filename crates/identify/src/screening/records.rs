@@ -247,16 +247,21 @@ fn frames_are_missing(flight: &Flight, ahead: f64, time: f64) -> DataFault {
     )
 }
 
-/// Length, m, by which the body moves farther before the point `index` than beside it, if that is the motion of whole
-/// frames.
+/// Length, m, by which the body moves farther before the point `index` than at its speed beside it, if that is the motion
+/// of whole frames. The shortest of the three intervals is a frame.
 fn missing_frames(points: &[PathPoint], index: usize, least: f64) -> Option<f64> {
-    let moved = |k: usize| points[k].position - points[k - 1].position;
-    let (before, after) = (moved(index - 1), moved(index + 1));
-    let step = 0.5 * (before + after);
-    let ahead = moved(index) - step;
+    let interval = |k: usize| points[k].time - points[k - 1].time;
+    let velocity = |k: usize| (points[k].position - points[k - 1].position) / interval(k);
+    let (before, after) = (velocity(index - 1), velocity(index + 1));
+    let usual = 0.5 * (before + after);
+    let frame = interval(index)
+        .min(interval(index - 1))
+        .min(interval(index + 1));
+    let step = usual * frame;
+    let ahead = (velocity(index) - usual) * interval(index);
     let frames = (ahead.dot(&step) / step.norm_squared()).round();
     let is_whole = (ahead - frames * step).norm() < WHOLE * step.norm();
-    let is_steady = (after - before).norm() < WHOLE * step.norm();
+    let is_steady = (after - before).norm() < WHOLE * usual.norm();
     let size = ahead.norm();
     (frames >= 1.0 && is_whole && is_steady && size > least).then_some(size)
 }

@@ -168,6 +168,11 @@ impl Header {
                 )),
             },
             (None, Some(index)) => Ok(Clock::Frame(index, options.rate(None, line, notes)?)),
+            (None, None) if options.rate.is_none() && !self.others.is_empty() => {
+                let found = format!("no times; not read is {}", listed(&self.others));
+                let expected = "a column t or time with its unit, as in t_s, a column frame, or the option --rate with the frames per second";
+                Err(Fault::new(line, found, expected))
+            }
             (None, None) => Ok(Clock::Count(options.rate(None, line, notes)?)),
         }
     }

@@ -211,6 +211,62 @@ fn headers_of_other_programs() {
 }
 
 #[test]
+fn one_number_for_all_coordinates_is_a_point_that_is_not_seen() {
+    let header = "t_s,m1_x_mm,m1_y_mm,m1_z_mm,m2_x_mm,m2_y_mm,m2_z_mm\n";
+    for word in ["0", "-9999", "9999.999"] {
+        let gap = [word; 3].join(",");
+        let rows = format!("0,1,2,3,{gap}\n1,{gap},4,5,6\n2,7,7,7,1,2,3\n");
+        let take = read(format!("{header}{rows}").as_bytes(), &options()).expect(word);
+        assert_eq!(take.points[0].positions[1], None, "{word}");
+        assert_eq!(take.points[1].positions[0], None, "{word}");
+        // Once, it may be a position.
+        assert!(take.points[0].positions[2].is_some(), "{word}");
+        let noted = |note: &String| note.contains("2 positions") && note.contains(word);
+        assert!(take.notes.iter().any(noted), "{:?}", take.notes);
+    }
+}
+
+#[test]
+fn columns_of_other_programs_and_a_line_for_spreadsheets_are_read() {
+    let rows = "0;1;2;3\n10;1;2;4\n";
+    for header in [
+        "sep=;\ntime_us;m1_x_mm;m1_y_mm;m1_z_mm",
+        "Time (µs);m1-X [mm];m1-Y [mm];m1-Z [mm]",
+        "TIME_US;m1 - X (MM);m1 - Y (MM);m1 - Z (MM)",
+        "TIME_US;m1_X_MM;m1_Y_MM;m1_Z_MM",
+    ] {
+        let take = read(format!("{header}\n{rows}").as_bytes(), &options()).expect(header);
+        assert_eq!(take.points[0].label, "m1", "{header}");
+        assert!((take.times[1] - 1e-5).abs() < 1e-12, "{header}");
+        assert_eq!(
+            take.points[0].positions[1],
+            Some([0.001, 0.002, 0.004]),
+            "{header}"
+        );
+    }
+    let error = read(
+        format!("Zeit;m1_x_mm;m1_y_mm;m1_z_mm\n{rows}").as_bytes(),
+        &options(),
+    );
+    let error = error.expect_err("no times");
+    assert!(error.contains("Zeit") && error.contains("t_s"), "{error}");
+}
+
+#[test]
+fn rounded_times_of_frames_are_evenly_spaced() {
+    let mut text = "t_s,m1_x_m,m1_y_m,m1_z_m\n".to_owned();
+    for frame in 0..100 {
+        text += &format!("{:.3},1,2,{frame}\n", f64::from(frame) / 240.0);
+    }
+    let take = read(text.as_bytes(), &options()).expect("read");
+    for (frame, time) in take.times.iter().enumerate() {
+        assert!((time - frame as f64 / 240.0).abs() < 2e-4, "{time}");
+    }
+    let noted = |note: &String| note.contains("rounded to 0.001 s");
+    assert!(take.notes.iter().any(noted), "{:?}", take.notes);
+}
+
+#[test]
 fn euler_angles_are_refused() {
     let mut chosen = options();
     chosen.length = Some(LengthUnit::Metre);

@@ -2,7 +2,7 @@
 
 use ::flight::release::{Release, Stop};
 
-use super::{ball, disc, disc_releases, discs, found, model, plan, release};
+use super::{ball, calm_disc, disc, disc_releases, discs, found, model, plan, release};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::free_fall::FreeFall;
@@ -20,6 +20,27 @@ fn clean_flights_have_no_fault() {
     }
     let (model, dataset) = ball(2);
     assert_eq!(found(&model, &dataset), []);
+}
+
+#[test]
+fn flights_whose_markers_are_often_hidden_have_no_fault() {
+    for seed in 0..6 {
+        let (model, mut dataset) = calm_disc(seed);
+        let mut state = seed;
+        let points = dataset
+            .flights
+            .iter_mut()
+            .flat_map(|own| &mut own.positions);
+        for point in points.flatten() {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            if (state >> 40) as f64 / f64::from(1 << 24) < 0.4 {
+                *point = None;
+            }
+        }
+        assert_eq!(found(&model, &dataset), [], "seed {seed}");
+    }
 }
 
 /// Tests that no fault is reported for many flights of a disc and a ball without mistakes in the data; run with

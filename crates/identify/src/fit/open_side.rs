@@ -1,0 +1,66 @@
+//! Recordings that leave open which side of a body is up.
+
+use model_spec::compose::Instrument;
+
+use crate::channel::ChannelKind;
+use crate::observations::Observations;
+use crate::problem::FitProblem;
+use crate::screening::mirror;
+
+/// Why the recordings leave open which side of the body is up, and what to check; `None` if they show it.
+pub fn open_side(problem: &FitProblem, flights: &[Observations]) -> Option<String> {
+    if has_instruments_alone(problem) {
+        return Some("nothing but the instruments shows the axes of the body; check their axes (`gyroscope_axes` and `accelerometer_axes` in [recording])".into());
+    }
+    mirror::is_upside_down(problem, flights).then(|| {
+        format!(
+            "in all flights the body is upside down, as left-handed axes or exchanged labels show it: if they do, {}",
+            mirror::MEND
+        )
+    })
+}
+
+fn has_instruments_alone(problem: &FitProblem) -> bool {
+    let mut channels = problem.channels.iter();
+    !problem.sees_positions()
+        && channels.all(|own| own.kind != ChannelKind::Attitude)
+        && problem
+            .instruments
+            .iter()
+            .any(|(kind, _)| matches!(kind, Instrument::Gyroscope | Instrument::Accelerometer))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::fit::fit;
+    use crate::fit::tests::simulated;
+    use crate::options::FitOptions;
+    use dataset::synthesize::Plan;
+
+    /// Cautions of the fit of two flights of a disc, whose coordinates y are multiplied by `y`.
+    fn cautions(y: f64) -> Vec<String> {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let plan = Plan {
+            flights: 2,
+            duration: Some(0.8),
+            ..Plan::default()
+        };
+        let mut dataset = simulated(&model, "backhand", &plan);
+        let flights = dataset.flights.iter_mut();
+        let rows = flights.flat_map(|flight| flight.positions.iter_mut().flatten());
+        rows.flatten().for_each(|point| point[1] *= y);
+        let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
+        fitted.report.cautions
+    }
+
+    #[test]
+    fn left_handed_axes_of_two_flights_are_told() {
+        assert_eq!(cautions(1.0), Vec::<String>::new());
+        let told = cautions(-1.0);
+        let of_axes = told.iter().find(|own| own.contains("left-handed axes"));
+        assert!(
+            of_axes.is_some_and(|own| own.starts_with("C_L0")),
+            "{told:?}"
+        );
+    }
+}
