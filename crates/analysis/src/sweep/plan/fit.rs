@@ -96,6 +96,15 @@ pub(super) fn read<'t>(
             reader.fault(span.clone(), format!("{path}: {name} has no value"));
             continue;
         };
+        let plan = &names.release;
+        let mut stated = plan.coefficients.iter().chain(&plan.parameters);
+        if let Some((_, value)) = stated.find(|(own, value)| own == name && *value != mean) {
+            let message = format!(
+                "{path}: {name} is {value} in the plan and {mean} in the fit; expected one of the two: leave out that of the plan, \
+                 or state in [fit] the coefficients to take, as in coefficients = [\"C_L0\"]"
+            );
+            reader.fault(span.clone(), message);
+        }
         let sd = coefficient["std_error"].as_f64();
         let at_bound = coefficient["at_bound"].as_bool().unwrap_or(false);
         match sd.filter(|sd| *sd > 0.0 && sd.is_finite() && !at_bound) {
