@@ -48,13 +48,16 @@ pub(super) fn run(options: &Simulate) -> anyhow::Result<Answer> {
         rows = vec![techdisc::choose(rows, name)?];
     }
     let (model, mut release) = prepare(options)?;
+    let is_thrown = options.throw.given().next().is_some();
+    let bare = (options.release.is_none() && is_thrown).then(|| Throw::at_speed(0.0));
+    if bare.is_some() || options.throw.techdisc.is_some() {
+        throws::check_sets(&options.set, &model)?;
+    }
     let body = CompiledModel::new(&model);
     if options.throw.techdisc.is_some() && options.throw.row.is_none() {
         return launches::run(options, &rows, (&model, &body, &release), out.as_ref());
     }
     let first = rows.first().map(|row| row.throw);
-    let is_thrown = options.throw.given().next().is_some();
-    let bare = (options.release.is_none() && is_thrown).then(|| Throw::at_speed(0.0));
     throws::apply(
         &options.throw,
         options.units,
@@ -168,18 +171,24 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     match options.until.as_deref() {
         None => {}
         Some("ground") => release.stop = Stop::Ground,
-        Some(seconds) => match number("--until", seconds)? {
-            duration if duration > 0.0 && duration <= Release::MAX_DURATION => {
-                release.stop = Stop::Duration(duration);
-            }
-            other => bail!(
-                "--until: found {other}, expected a time above 0, at most {} s, or ground",
-                Release::MAX_DURATION
-            ),
-        },
+        Some(text) => {
+            let most = Release::MAX_DURATION;
+            let seconds = text.trim().parse().ok();
+            let seconds = seconds.filter(|own| *own > 0.0 && *own <= most);
+            release.stop = Stop::Duration(seconds.with_context(|| {
+                format!(
+                    "--until: found {text}, expected a time above 0, at most {most} s, or ground"
+                )
+            })?);
+        }
     }
-    if let Stop::Duration(seconds) = release.stop {
-        check_rows(options, seconds)?;
+    match release.stop {
+        Stop::Duration(seconds) => check_rows(options, seconds)?,
+        Stop::Ground => ensure!(
+            model.place()[2].is_some(),
+            "--until: no state of the model {} is a height, whose fall to 0 is the landing; expected a time, as in --until 2",
+            model.name
+        ),
     }
     Ok((model, release))
 }
@@ -282,9 +291,7 @@ fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory, units: Unit
         let _ = writeln!(text, "  {:9} {value:>13.6} {unit}", state.name);
     }
     for event in &flight.events {
-        let z = layout
-            .state("z")
-            .map_or(f64::NAN, |z| event.state[z.index()]);
+        let z = body.place()[2].map_or(f64::NAN, |height| event.state[height]);
         let (name, time) = (&event.event, event.time);
         let (z, m) = (units.of_metres(z), units.length());
         let _ = writeln!(text, "  {name} at {time:.4} s, z = {z:.4} {m}");

@@ -48,6 +48,9 @@ pub(super) fn run(options: &Options) -> anyhow::Result<Answer> {
         }
     };
     apply_all(&options.set, &model, &mut release)?;
+    if throw.is_some() {
+        throws::check_sets(&options.set, &model)?;
+    }
     if let Some(wind) = &options.wind {
         release.wind = vector("--wind", wind, "m/s")?;
     }

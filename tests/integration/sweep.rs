@@ -325,6 +325,13 @@ fn a_fit_is_an_input() {
         (mean - 0.5).abs() < 0.0013 && (sd - 0.02).abs() < 0.001,
         "{mean} {sd}"
     );
+    fs::write(&plan, format!("{text}[coefficients]\nC_D = 0.3\n")).expect("written");
+    let (status, _, errors) = told(hyzer().arg("sweep").arg(&plan).arg("--out").arg(&out));
+    assert_eq!(status, 2);
+    assert!(
+        errors.contains(":7:10: report.json: C_D is 0.3 in the plan and 0.5 in the fit"),
+        "{errors}"
+    );
 }
 
 #[test]
@@ -360,6 +367,17 @@ fn faults_of_a_plan_are_named_with_their_place() {
             "speed would be 1000",
         ),
         ("[vary]\nspeed = { values = [] }", "7:20", "a list of 1 to"),
+        (
+            "[vary]\nz = { values = [1.0] }",
+            "7:1",
+            "expected one of speed, heading, launch",
+        ),
+        (
+            "[vary]\nspeed = { sd = 1.0 }\nspin = { sd = 9.0 }\n[[correlations]]\nof = [\"speed\", \"spin\"]\n\
+             value = 0.9\n[[correlations]]\nof = [\"spin\", \"speed\"]\nvalue = 0.2",
+            "13:6",
+            "a second correlation of spin and speed",
+        ),
         ("[vary]\nm = { values = [-1.0] }", "7:5", "a number above 0"),
         (
             "[vary]\nspeed = { range = [1.0, 2.0], count = 1e300 }",

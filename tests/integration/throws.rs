@@ -167,6 +167,24 @@ fn a_point_mass_has_no_angles() {
 }
 
 #[test]
+fn a_state_that_a_throw_determines_is_not_set() {
+    for (name, is_kept) in [("x", true), ("z", false), ("u", false), ("C_D0", true)] {
+        let set = format!("{name}=0.2");
+        let (status, _, errors) = told(hyzer().args([
+            "simulate", "disc", "--speed", "12", "--spin", "700", "--set", &set,
+        ]));
+        assert_eq!(status == 0, is_kept, "{errors}");
+        assert!(
+            is_kept || errors.contains(&format!("the throw determines {name}")),
+            "{errors}"
+        );
+    }
+    let (status, _, errors) = told(hyzer().args(["stability", "disc", "--set", "z=3"]));
+    assert_eq!(status, 2);
+    assert!(errors.contains("the throw determines z"), "{errors}");
+}
+
+#[test]
 fn one_row_of_a_table_is_flown_by_its_id_or_number() {
     let (by_id, id) = flown(&["disc", "--techdisc", TECHDISC, "--row", "hyzer"]);
     let (by_number, number) = flown(&["disc", "--techdisc", TECHDISC, "--row", "2"]);

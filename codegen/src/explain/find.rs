@@ -32,7 +32,8 @@ enum Meaning<'a> {
 
 /// Finds the quantity of a model with the name `wanted`; an error if the name is unknown or ambiguous.
 pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, ExplainError> {
-    let wanted = wanted.trim();
+    // A component is `v.1` in a model and `v_1` in generated code.
+    let wanted = &*wanted.trim().replace('.', "_");
     let meaning = meaning(model, wanted)?;
     let mut changed = model.clone();
     let (mut label, mut prefix) = (wanted.to_string(), wanted.to_string());

@@ -226,6 +226,13 @@ fn every_formula_is_well_formed() {
 }
 
 #[test]
+fn a_component_is_named_as_in_a_model_or_as_in_its_code() {
+    let disc = load("disc");
+    let named = |name: &str| explain(&disc, name, None).expect("a component").to_string();
+    assert_eq!(named("air_velocity.1"), named("air_velocity_1"));
+}
+
+#[test]
 fn what_is_not_there_is_said_with_what_is() {
     let disc = load("disc");
     for (quantity, wrt, start) in [

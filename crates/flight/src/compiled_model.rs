@@ -20,6 +20,7 @@ pub type ModelState = Box<[f64]>;
 /// Compiled model: layout, functions with derivatives, and limits; [`bind`](Self::bind) supplies the parameters.
 pub struct CompiledModel {
     pub(crate) layout: Layout,
+    pub(crate) place: [Option<usize>; 3],
     /// For each limit of validity of the model: lower bound of the limited quantity, and the reason to report below it.
     pub(crate) limits: Vec<(f64, String)>,
     pub(crate) functions: ModelFunctions,
@@ -134,6 +135,7 @@ impl CompiledModel {
         CompiledModel {
             time_breaks: TimeBreaks::of(model, &layout),
             switches: SwitchTape::of(model),
+            place: model.place(),
             constraints: Constraints::of(model).map(Arc::new),
             layout,
             limits: limits.map(|l| (l.bound, l.reason.clone())).collect(),
@@ -162,6 +164,11 @@ impl CompiledModel {
     /// Layout of the model: names and indices of states, parameters and auxiliary variables.
     pub fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// Indices of the states that are the place of the body, the height last; see [`Model::place`].
+    pub fn place(&self) -> [Option<usize>; 3] {
+        self.place
     }
 
     /// Constraints on the states, which the steps of an integration are held to; `None` if the model has none.

@@ -11,6 +11,7 @@ use nalgebra::{DMatrix, DMatrixViewMut, DVector};
 use ode::Project;
 
 use crate::functions::{EvaluationPoint, ModelFunctions, Workspace};
+use crate::moore_penrose;
 
 /// Maximum number of steps of Newton's method.
 const MAX_STEPS: usize = 20;
@@ -149,11 +150,7 @@ impl BoundConstraints {
             if along.ncols() == 0 || !along.iter().chain(&deviations).all(|v| v.is_finite()) {
                 return false;
             }
-            let svd = along.svd(true, true);
-            let tolerance = RANK_TOLERANCE * svd.singular_values.max();
-            let Ok(step) = svd.solve(&deviations, tolerance) else {
-                return false;
-            };
+            let step = moore_penrose(&along, RANK_TOLERANCE) * deviations;
             let step = match directions {
                 Some(directions) => directions * step,
                 None => step,
@@ -190,11 +187,7 @@ impl Project for BoundConstraints {
         if !along.iter().chain(&leaving).all(|v| v.is_finite()) {
             return;
         }
-        let svd = along.svd(true, true);
-        let tolerance = RANK_TOLERANCE * svd.singular_values.max();
-        if let Ok(steps) = svd.solve(&leaving, tolerance) {
-            directions -= steps;
-        }
+        directions -= moore_penrose(&along, RANK_TOLERANCE) * leaving;
     }
 
     fn depends_on(&self, parameter: usize) -> bool {

@@ -41,6 +41,7 @@ mod inputs;
 mod integrate;
 mod lane_model;
 mod lane_observer;
+mod moore_penrose;
 mod observer;
 mod overruled;
 pub mod parallel;
@@ -64,6 +65,7 @@ pub use functions::{EvaluationPoint, ModelFunctions, SparsityPatterns, Workspace
 pub use inputs::{FlightParameters, InputInterpolation, InputSeries, InputsOverTime, read_inputs};
 pub use lane_model::LaneModel;
 pub use lane_observer::LaneObserver;
+pub use moore_penrose::moore_penrose;
 pub use observer::{ModelObserver, ObservationJacobians};
 pub use rhs::ModelRhs;
 pub use simulate::simulate;

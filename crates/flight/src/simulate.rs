@@ -5,8 +5,8 @@ use crate::compiled_model::CompiledModel;
 use crate::release::{Release, Stop};
 use ode::{Event, IntegrationError, IntegrationOptions, Trajectory};
 
-/// Simulates the flight from `release` to its end, [`Release::stop`]. The apex and the contact with the ground (height
-/// `z` falls to 0) are the events `apex` and `ground`.
+/// Simulates the flight from `release` to its end, [`Release::stop`]. The apex and the contact with the ground (the
+/// height, the last of [`CompiledModel::place`], falls to 0) are the events `apex` and `ground`.
 ///
 /// # Errors
 /// [`IntegrationError`] if the integration fails, a limit of validity is reached, or the ground is not reached within
@@ -31,10 +31,10 @@ pub fn simulate(
     stop_if_cancelled();
     let bound = model.bind(model.release_parameters(release));
     let mut events = bound.limits();
-    if let Some(z) = model.layout().state("z") {
-        events.push(Event::peak_of("apex", z.index()));
+    if let Some(height) = model.place()[2] {
+        events.push(Event::peak_of("apex", height));
         if release.stop == Stop::Ground {
-            events.push(Event::falls_to("ground", z.index(), 0.0).terminal());
+            events.push(Event::falls_to("ground", height, 0.0).terminal());
         }
     }
     let start = (0.0, &release.state().into());

@@ -1,6 +1,6 @@
 //! Points at which the constraints of a model's blocks `solve { … }` hold.
 
-use flight::take_lengths;
+use flight::{moore_penrose, take_lengths};
 use model_spec::model::{Expr, Model};
 use nalgebra::{DMatrix, DVector};
 use oracle::scalar::{Dual, ErrorBound};
@@ -15,6 +15,9 @@ const SMALL: f64 = 1e-15;
 /// Size of a step, relative to the states and to the step before, at which the derivatives of that step do for the next:
 /// they cost as much as the constraints themselves do for each state.
 const CLOSING_IN: f64 = 0.1;
+
+/// Singular value, relative to the greatest, up to which constraints count as saying the same.
+const RANK_TOLERANCE: f64 = 1e-12;
 
 /// Deviation of a constraint, relative to the magnitude of its terms, that is one of rounding: two units of the last place.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
@@ -48,13 +51,11 @@ pub(crate) fn project_within(model: &Model, point: &mut Point<f64>, most: usize)
             let mut by_states = by_states(model, &constraints, point);
             // Along the sphere of each quaternion, whose length the constraints may depend on.
             take_lengths(&mut by_states, &point.states, &quaternions);
-            by_states.svd(true, true)
+            moore_penrose(&by_states, RANK_TOLERANCE)
         });
         let deviations = deviations.iter().map(|own| own.value);
         let deviations = DVector::from_iterator(constraints.len(), deviations);
-        let Ok(step) = of_states.solve(&deviations, 1e-12) else {
-            return false;
-        };
+        let step = &of_states * deviations;
         let size = DVector::from_column_slice(&point.states).norm();
         for (state, change) in point.states.iter_mut().zip(&step) {
             *state -= change;

@@ -1,6 +1,7 @@
 //! Physical meaning of the states of a model, given by a chart or by the claimed body.
 
 use crate::subject::{Bounded, Subject};
+use flight::moore_penrose;
 use model_spec::model::{ClaimedAttitude, FrameKind, Model};
 use nalgebra::{DMatrix, DVector, Vector3};
 use oracle::scalar::{ErrorBound, Real};
@@ -11,6 +12,8 @@ const STEPS: usize = 60;
 const HALVINGS: usize = 30;
 /// Maximum residual of converged states, relative to 1 + norm of the quantity.
 const CONVERGED: f64 = 1e-12;
+/// Singular value, relative to the greatest, up to which states do not change the motion.
+const RANK_TOLERANCE: f64 = 1e-10;
 
 /// How the states of a model determine the physical state of its body.
 pub enum Meaning<'a> {
@@ -173,7 +176,7 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
             return Some(states);
         }
         let jacobian = jacobian(model, &states, at, &axes, &sizes)?;
-        let step = jacobian.svd(true, true).solve(&error, 1e-10).ok()?;
+        let step = moore_penrose(&jacobian, RANK_TOLERANCE) * &error;
         let tried = (0..HALVINGS).find_map(|k| {
             let part = 0.5_f64.powi(k as i32);
             let moved = states.iter().zip(step.iter());

@@ -1,6 +1,6 @@
 //! Traversal of expressions, all those of a model included; queries about states and source texts of a model.
 
-use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
+use super::{Expr, ExprKind, FrameKind, Model, Shape, ValidityLimit};
 use crate::location::Span;
 use crate::syntax::ast::ItemKind;
 use crate::syntax::of_kind;
@@ -262,6 +262,26 @@ impl Model {
                 .collect::<Vec<_>>(),
         );
         angles
+    }
+
+    /// Indices into [`Model::states`] of the coordinates of the body's place in the inertial frame, the height last: those
+    /// that a body declares, or that a claim names as components of its position; else the states `x`, `y` and `z`.
+    pub fn place(&self) -> [Option<usize>; 3] {
+        if let Some(body) = &self.body {
+            return body.position.map(Some);
+        }
+        let claimed = self.claim.as_ref().map(|claim| &claim.position);
+        let claimed = claimed.filter(|position| position.shape == Shape::Vector(0));
+        [0, 1, 2].map(|axis| {
+            let component = claimed.and_then(|position| match &position.kind {
+                ExprKind::Components(components) => Some(&components[axis].kind),
+                _ => None,
+            });
+            match component {
+                Some(ExprKind::State(state)) => Some(*state),
+                _ => (self.states.iter()).position(|own| own.name == ["x", "y", "z"][axis]),
+            }
+        })
     }
 
     /// Indices into [`Model::states`] of each quaternion of norm 1 that orients a frame, scalar part first.

@@ -1,9 +1,10 @@
 //! Throws from command-line options, which modify a release or a throw of a launch monitor, or stand alone.
 
-use anyhow::Context;
+use anyhow::{Context, ensure};
 use flight::release::Release;
 use flight::throw::{FIELDS, Throw, ThrownModel};
 use model_spec::model::Model;
+use model_spec::syntax::spelling::joined;
 use report::Units;
 
 use crate::cli::ThrowOptions;
@@ -14,6 +15,21 @@ pub fn at_defaults(name: &str, model: &Model) -> Release {
         model: name.to_owned(),
         ..Release::of(model)
     }
+}
+
+/// Refuses values of `--set` for states that a throw determines, all but the place above the ground and what effects add.
+pub fn check_sets(sets: &[String], model: &Model) -> anyhow::Result<()> {
+    let (added, [x, y, _]) = (model.added_states(), model.place());
+    let names = sets.iter().filter_map(|set| set.split_once('='));
+    for name in names.map(|(name, _)| joined(name.trim())) {
+        let state = model.states.iter().position(|own| own.name == name);
+        let is_kept = state.is_none_or(|own| added.contains(&own) || [x, y].contains(&state));
+        ensure!(
+            is_kept,
+            "--set: the throw determines {name}; expected an option of the throw, such as --height, or a release with [initial]"
+        );
+    }
+    Ok(())
 }
 
 /// Sets the motion of `throw`, or else the release's, with the quantities that options, in `units`, replace.

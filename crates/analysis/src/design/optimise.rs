@@ -4,6 +4,7 @@
 //! "Numerical Optimization", chapters 4, 10 and 18). The iterates satisfy the constraints, which suits flights: a
 //! step along a curved set of throws that land at one point may be long.
 
+use flight::moore_penrose;
 use nalgebra::{DMatrix, DVector};
 
 use crate::design::box_quadratic::minimum;
@@ -82,6 +83,8 @@ const MAX_STEPS: usize = 25;
 const SETTLED: f64 = 1e-6;
 /// Constraint violation up to which a point satisfies the constraints, and margin below which a constraint is active.
 const ON: f64 = 1e-4;
+/// Singular value, relative to the greatest, up to which constraints count as the same.
+const RANK_TOLERANCE: f64 = 1e-9;
 /// Weight of the linearized constraints relative to the curvature of the Lagrangian in the quadratic model.
 const STIFF: f64 = 1e6;
 
@@ -246,10 +249,7 @@ fn multipliers(values: &Values) -> DVector<f64> {
     if rows.nrows() == 0 {
         return DVector::zeros(0);
     }
-    let svd = rows.transpose().svd(true, true);
-    let tolerance = 1e-9 * svd.singular_values.iter().copied().fold(0.0, f64::max);
-    svd.solve(&(-&values.gradient), tolerance)
-        .unwrap_or_else(|_| DVector::zeros(rows.nrows()))
+    moore_penrose(&rows.transpose(), RANK_TOLERANCE) * -&values.gradient
 }
 
 /// Jacobian of the equality, then of the inequality constraints; the rows of inactive inequalities are 0.

@@ -1,7 +1,7 @@
 //! Trim: steady flight, straight or in a helix about the vertical, at a given constant spin.
 //!
-//! Velocity, body axis and angular velocity rotate together about the vertical at a rate Ω: v̇ = Ω × v, ṅ = Ω × n and,
-//! normal to the axis, ω̇ = Ω × ω. The second condition is satisfied by ω = r n + Ω − (Ω·n) n; a damped Newton method
+//! Velocity through the air, body axis and angular velocity rotate together about the vertical at a rate Ω: v̇ = Ω × v,
+//! ṅ = Ω × n and, normal to the axis, ω̇ = Ω × ω. A constant wind carries the flight along. The second condition is satisfied by ω = r n + Ω − (Ω·n) n; a damped Newton method
 //! solves the other conditions for speed, climb angle, nose, hyzer and Ω. The spin r is held constant: the moment that
 //! slows it down is ignored.
 
@@ -17,7 +17,7 @@ use crate::stability::linearise::{BoundBody, Linearised, StabilityError};
 pub struct Trim {
     /// State of the model, with the mass centre above the origin at the default height of a throw.
     pub state: Vec<f64>,
-    /// Motion, by the quantities of a throw.
+    /// Motion through the air, by the quantities of a throw.
     pub throw: Throw,
     /// Rate of change of the heading, positive to the left, rad/s; 0 in straight flight.
     pub turn: f64,
@@ -51,7 +51,8 @@ pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     found.min_by(|a, b| a.turn.abs().total_cmp(&b.turn.abs()))
 }
 
-/// Motion of a steady flight with a given spin, rad/s; `of` is speed (m/s), climb, nose, hyzer (rad) and turn (rad/s).
+/// Motion through the air of a steady flight with a given spin, rad/s; `of` is speed (m/s), climb, nose, hyzer (rad) and
+/// turn (rad/s).
 fn motion(of: &DVector<f64>, spin: f64, is_along: bool) -> Motion {
     let course = Rotation3::from_axis_angle(&Vector3::y_axis(), -of[1]);
     let attitude = course
@@ -83,14 +84,18 @@ fn residual(
     let thrown = &body.body.thrown;
     let axes = body.body.model.flight_axes();
     let is_along = axes.is_some_and(|(_, axes)| axes.is_along());
-    let wanted = motion(of, spin, is_along);
+    let through_air = motion(of, spin, is_along);
+    let wanted = Motion {
+        velocity: through_air.velocity + body.wind(),
+        ..through_air
+    };
     // The two axes across that of the spin.
     let across = if is_along { [1, 2] } else { [0, 1] };
     let state = thrown.state_of(&wanted, &body.parameters, near).ok()?;
     let (acceleration, angular) = body.accelerations(&state)?;
     let turning = wanted.turning?;
     let turn = Vector3::new(0.0, 0.0, of[4]);
-    let off = acceleration - turn.cross(&wanted.velocity);
+    let off = acceleration - turn.cross(&through_air.velocity);
     let twist = angular - turn.cross(&turning.rates);
     let parts = [
         off.x / 10.0,
@@ -158,8 +163,12 @@ fn newton(body: &BoundBody<'_>, spin: f64, start: DVector<f64>) -> Option<Trim> 
 
 fn finished(body: &BoundBody<'_>, at: &DVector<f64>, state: Vec<f64>) -> Option<Trim> {
     let linearised: Result<Linearised, StabilityError> = body.linearise(0.0, &state);
+    let (thrown, parameters) = (&body.body.thrown, &body.parameters);
+    let mut through_air = thrown.motion(&state, parameters);
+    through_air.velocity -= body.wind();
+    let in_calm_air = thrown.state_of(&through_air, parameters, Some(&state));
     Some(Trim {
-        throw: body.body.thrown.throw(&state, &body.parameters),
+        throw: thrown.throw(&in_calm_air.ok()?, parameters),
         turn: at[4],
         linearised: linearised.ok()?,
         state,

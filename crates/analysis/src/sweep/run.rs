@@ -28,9 +28,9 @@ pub enum SweepError {
     /// No state of the model has the motion of the table `[throw]`.
     #[error(transparent)]
     Throw(#[from] ThrowError),
-    /// The flights end at the ground, but the model has no state `z`.
+    /// The flights end at the ground, but no state of the model is a height.
     #[error(
-        "the model {model} has no state z, whose fall to 0 is the landing; expected a plan with duration = … (s)"
+        "no state of the model {model} is a height, whose fall to 0 is the landing; expected a plan with duration = … (s)"
     )]
     NoHeight {
         /// Name of the model.
@@ -86,9 +86,7 @@ pub fn run(
         Some(share) => share_of(count, share)?,
     };
     let compiled = CompiledModel::new(&plan.model);
-    let layout = compiled.layout();
-    let state = |name: &str| layout.state(name).map(codegen::layout::StateId::index);
-    let position = ["x", "y", "z"].map(state);
+    let position = compiled.place();
     let until_ground = plan.release.stop == Stop::Ground;
     if until_ground && position[2].is_none() {
         return Err(SweepError::NoHeight {

@@ -63,10 +63,17 @@ impl Sketch {
         self.0 = merged;
     }
 
-    /// Quantile at the probability `q`; NaN if there are no values.
+    /// Quantile at the probability `q`, linear between the values of neighbouring ranks (type 7 of Hyndman and Fan, The
+    /// American Statistician 50, 1996); NaN if there are no values.
     pub(crate) fn quantile(&self, q: f64) -> f64 {
         let total: u64 = self.0.iter().map(|(_, count)| count).sum();
         let rank = q * (total.saturating_sub(1)) as f64;
+        let (below, above) = (self.ranked(rank.floor()), self.ranked(rank.ceil()));
+        below + (above - below) * rank.fract()
+    }
+
+    /// Value of a rank, from 0 for the smallest; NaN if there are fewer values.
+    fn ranked(&self, rank: f64) -> f64 {
         let mut below = 0;
         for (class, count) in &self.0 {
             below += count;
@@ -107,6 +114,10 @@ mod tests {
                 (found - expected).abs() <= 1.01e-4 * expected.abs(),
                 "{q}: {found}"
             );
+        }
+        let two = Sketch::of([1.0, 3.0].into_iter());
+        for (q, expected) in [(0.05, 1.1), (0.5, 2.0), (0.95, 2.9)] {
+            assert!((two.quantile(q) - expected).abs() < 3e-4, "{q}");
         }
         assert!(Sketch::default().quantile(0.5).is_nan());
         assert!(Sketch::of([1e300, -1e300].into_iter()).quantile(1.0) > 1e11);

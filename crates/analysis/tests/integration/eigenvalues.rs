@@ -1,6 +1,8 @@
 //! Modes against simulated flights, models of the same body against one another, the criteria against the modes.
 
-use analysis::stability::{Body, BoundBody, FlightDirection, ModeKind, Modes, at, modes};
+use analysis::stability::{
+    Body, BoundBody, FlightDirection, ModeKind, Modes, Trim, at, modes, trim,
+};
 use flight::throw::Throw;
 use nalgebra::{Complex, Vector3};
 use ode::{IntegrationOptions, integrate};
@@ -54,6 +56,55 @@ fn one_body_in_two_charts_has_the_same_modes() {
                 b.value
             );
         }
+    }
+}
+
+#[test]
+fn many_throws_have_the_same_modes_in_two_charts() {
+    let (angles, quaternion) = (body("disc"), body("disc_quaternion"));
+    let (angles, quaternion) = (defaults(&angles), defaults(&quaternion));
+    for k in 0..200 {
+        let part = |step: f64| (f64::from(k) * step).fract();
+        let throw = Throw {
+            launch: 40.0 * part(0.618) - 10.0,
+            nose: Some(20.0 * part(0.755) - 5.0),
+            hyzer: Some(80.0 * part(0.570) - 40.0),
+            ..backhand(8.0 + 17.0 * part(0.414), 200.0 + 900.0 * part(0.732))
+        };
+        let (a, b) = (modes_of(&angles, &throw), modes_of(&quaternion, &throw));
+        assert_eq!(a.ignorable, b.ignorable, "{throw:?}");
+        for (a, b) in a.modes.iter().zip(&b.modes) {
+            let off = (a.value - b.value).norm();
+            assert!(off < 1e-6 * (1.0 + a.value.norm()), "{throw:?}: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn a_constant_wind_carries_steady_flight_along() {
+    let disc = body("disc");
+    let calm = defaults(&disc);
+    let mut parameters = calm.parameters.clone();
+    let wind = disc.compiled.layout().components("wind").expect("an input");
+    for (component, speed) in wind.iter().zip([3.0, -2.0, 0.5]) {
+        parameters[component.index()] = speed;
+    }
+    let windy = disc.with_parameters(parameters);
+    let of = |body: &BoundBody<'_>| trim(body, -60.0).expect("a steady flight");
+    let (calm, windy) = (of(&calm), of(&windy));
+    assert!(calm.turn.abs() > 0.1, "it turns");
+    let numbers = |own: &Trim| [own.throw.speed, own.throw.launch, own.turn];
+    for (calm, windy) in numbers(&calm).into_iter().zip(numbers(&windy)) {
+        assert!((calm - windy).abs() < 1e-6, "{calm} {windy}");
+    }
+    let values = |own: &Trim| modes(&own.linearised, own.turn).modes;
+    for (calm, windy) in values(&calm).iter().zip(values(&windy)) {
+        assert!(
+            (calm.value - windy.value).norm() < 1e-6,
+            "{} {}",
+            calm.value,
+            windy.value
+        );
     }
 }
 

@@ -52,8 +52,8 @@ pub enum SimulationError {
         /// Number of marker positions in all flights.
         points: f64,
     },
-    /// A flight is to be simulated until it reaches the ground, but the model has no state `z` (height).
-    #[error("the model has no z")]
+    /// A flight is to be simulated until it reaches the ground, but no state of the model is its height.
+    #[error("no state of the model is a height")]
     NoHeight,
     /// The flight does not reach the ground within the maximum duration of a simulation.
     #[error("it is still up after {} s", Release::MAX_DURATION)]

@@ -104,10 +104,9 @@ impl Maker<'_> {
         watched: Option<f64>,
     ) -> Result<f64, SimulationError> {
         let conditions = self.body.bind(parameters.clone());
-        let z = self.body.layout().state("z");
-        let z = z.ok_or(SimulationError::NoHeight)?.index();
+        let height = self.body.place()[2].ok_or(SimulationError::NoHeight)?;
         let mut events = conditions.limits();
-        events.push(Event::falls_to("ground", z, 0.0).terminal());
+        events.push(Event::falls_to("ground", height, 0.0).terminal());
         let landed = conditions.integrate_to_end(
             (0.0, &state.into()),
             watched.unwrap_or(Release::MAX_DURATION),

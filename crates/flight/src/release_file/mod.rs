@@ -9,9 +9,11 @@ use crate::toml_reader::{
 };
 use crate::wind::WindField;
 use model_spec::load::LoadError;
+use model_spec::model::Model;
 use model_spec::syntax::spelling::joined;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 use toml::de::DeTable;
 
 /// Reads and parses a release file, the TOML file with the initial conditions of a flight; otherwise as [`read`].
@@ -117,10 +119,19 @@ impl<'t> Reader<'t> {
         let Some(model_name) = name.get_ref().as_str() else {
             return self.refuse_type(name, "model", "a name or a path, as in model = \"disc\"");
         };
-        let mut vocabulary = match vocabulary(model_name) {
+        let mut vocabulary = match vocabulary(&self.beside(model_name)) {
             Ok(vocabulary) => vocabulary,
             Err(why) => return self.refuse(name.span(), why.to_string()),
         };
+        let has_height = |model: &Arc<Model>| model.place()[2].is_some();
+        if let (Some(Stop::Ground), Some(until)) = (&stop, document.get("until"))
+            && !vocabulary.model.as_ref().is_none_or(has_height)
+        {
+            let message = format!(
+                "no state of the model {model_name} is a height, whose fall to 0 is the landing; expected duration = … (s)"
+            );
+            self.fault(until.span(), message);
+        }
         let (mut wind, wind_field) = self.wind(document);
         if !document.contains_key("wind") {
             wind = vocabulary.model.as_deref().map_or(wind, own_wind);
@@ -180,6 +191,15 @@ impl<'t> Reader<'t> {
             self.throw(document, &vocabulary, &mut release);
         }
         Some((release, vocabulary))
+    }
+
+    /// Path of a model beside the file if there is such a model, else the name itself.
+    fn beside(&self, model: &str) -> String {
+        let path = self.folder.as_ref().map(|folder| folder.join(model));
+        match path.filter(|path| path.is_file()) {
+            Some(path) => path.display().to_string(),
+            None => model.to_owned(),
+        }
     }
 
     /// Records a fault for each entry of the table `[parameters]` that sets a parameter of the wind `field`.
@@ -332,12 +352,14 @@ impl<'t> Reader<'t> {
                 found.extend(self.vector(value, &name).map(|v| (name, v)));
             } else {
                 let mut scalars = vocabulary.scalar_inputs.iter();
-                let message = match scalars.any(|own| own.name == name) {
-                    true => format!("{name} is a scalar; expected it in [inputs]"),
-                    false => {
-                        let hint = suggestion(&name, inputs.clone());
-                        format!("the model has no input {name:?}{hint}")
-                    }
+                let message = if scalars.any(|own| own.name == name) {
+                    format!("{name} is a scalar; expected it in [inputs]")
+                } else if name == "wind" {
+                    "wind stands here; expected it in [wind], as in constant = [3.0, 0.0, 0.0]"
+                        .into()
+                } else {
+                    let hint = suggestion(&name, inputs.clone());
+                    format!("the model has no input {name:?}{hint}")
                 };
                 self.fault(span, message);
             }

@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::motion::{BoundMotion, with_offset};
 use super::{FIELDS, RPM, Throw};
+use crate::moore_penrose;
 
 /// Step of a state in the differences for the Jacobian; coarse, as the motion is linear or polynomial in sines.
 const STEP: f64 = 0.01;
@@ -93,10 +94,7 @@ impl BoundMotion<'_> {
                 wanted.row_mut(row).fill(0.0);
             }
         }
-        let svd = jacobian.svd(true, true);
-        let largest = svd.singular_values.max();
-        svd.solve(&wanted, RANK_TOLERANCE * largest)
-            .unwrap_or_else(|_| DMatrix::zeros(state.len(), wanted.ncols()))
+        moore_penrose(&jacobian, RANK_TOLERANCE) * wanted
     }
 
     /// Angular velocity in body axes, rad/s, for a rate of 1 rad/s about [`Turning::axis`](super::Turning::axis) and the

@@ -54,12 +54,17 @@ pub fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> + Clone)
         .map(|name| (distance(found, name), name))
         .min();
     match near {
-        Some((distance, name)) if distance <= 1 + name.chars().count() / 4 => {
+        Some((distance, name)) if is_near(distance, name.chars().count()) => {
             format!("; did you mean {name:?}?")
         }
         Some(_) => format!("; expected one of {}", names.collect::<Vec<_>>().join(", ")),
         None => "; expected none".into(),
     }
+}
+
+/// Whether a name of `length` characters is meant by one at this distance: not every letter may be another.
+fn is_near(distance: usize, length: usize) -> bool {
+    distance <= 1 + length / 4 && distance < length
 }
 
 /// Levenshtein distance between two strings, in characters, ignoring case.

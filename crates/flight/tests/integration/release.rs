@@ -248,7 +248,7 @@ fn each_fault_has_its_message() {
     r.toml:5:1: unknown key "const" in [wind]; did you mean "constant"?
     
     r.toml:4:1: the model has no input "omga"; did you mean "omega"?
-    r.toml:5:1: the model has no input "wind"; expected one of omega
+    r.toml:5:1: wind stands here; expected it in [wind], as in constant = [3.0, 0.0, 0.0]
     
     r.toml:3:1: the quaternion a, b, c, d has length 0; expected 1
     

@@ -1,10 +1,12 @@
 //! Throws: throw to state and back in models of several kinds, known states, the cone of the wobble, refusals, `[throw]` in
 //! release files.
 
-use flight::release::{self, Release, Vocabulary};
+use flight::release::{self, Release, Vocabulary, read_named};
 use flight::throw::{FIELDS, Throw, ThrowError, ThrownModel};
 use flight::{CompiledModel, simulate};
+use model_spec::load::load;
 use model_spec::model::Model;
+use ode::Trajectory;
 use proptest::prelude::*;
 
 /// Source text of a user's model of a rigid body, with other names, another order of rotations, velocities in body
@@ -368,6 +370,44 @@ fn a_model_without_a_body_is_refused() {
     let refusal = ThrownModel::new(&model).err().expect("no body");
     assert!(
         refusal.to_string().contains("neither a body nor a claim"),
+        "{refusal}"
+    );
+}
+
+/// Flight of a release whose file, for a model beside it, has `text`.
+fn flown_from_file(model: &str, text: &str) -> Result<Trajectory, String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text);
+    write("stone.hyz", model).expect("a model");
+    write("stone.toml", text).expect("a release");
+    let file = folder.path().join("stone.toml");
+    let load = |name: &str| load(name, &[]).map(|model| Vocabulary::of(&model));
+    let (release, vocabulary) =
+        read_named(&file.to_string_lossy(), true, load).map_err(|e| e.to_string())?;
+    let model = vocabulary.model.expect("the model beside the release");
+    let flight = simulate(&CompiledModel::new(&model), &release, &Default::default());
+    flight.map_err(|e| e.to_string())
+}
+
+#[test]
+fn what_is_no_z_but_the_height_of_a_body_falls_to_the_ground() {
+    let head = "model stone;\nparam m = 0.4 kg;\nframe N;\n";
+    let declared = "point stone { mass m; position (px, py, pz) in N; velocity (vx, vy, vz) in N; }\n\
+        state z = 1 m;\nder(z) = 0;\nforce weight = -m*(10 [m/s^2])*N.3;\n";
+    let claimed = "state X = 0 m;\nstate H = 0 m;\nstate vx = 1 m/s;\nstate vh = 0 m/s;\nder(X) = vx;\nder(H) = vh;\n\
+        der(vx) = 0;\nder(vh) = -10 [m/s^2];\nclaim point stone { mass m; position (X, 0, H) in N;\n\
+        velocity (vx, 0, vh) in N; force -m*(10 [m/s^2])*N.3; }\n";
+    let release = "model = \"stone.hyz\"\nuntil = \"ground\"\n[throw]\nspeed = 3.0\nheight = 5.0\n";
+    for body in [declared, claimed] {
+        let flight =
+            flown_from_file(&format!("{head}{body}"), release).unwrap_or_else(|e| panic!("{e}"));
+        assert!((flight.end - 1.0).abs() < 1e-9, "{}", flight.end);
+    }
+    let none = format!("{head}state a = 1 m;\nder(a) = -1 [m/s];\n");
+    let release = "model = \"stone.hyz\"\nuntil = \"ground\"\n[initial]\na = 1.0\n";
+    let refusal = flown_from_file(&none, release).expect_err("no height");
+    assert!(
+        refusal.contains("2:9: no state of the model stone.hyz is a height"),
         "{refusal}"
     );
 }

@@ -8,6 +8,7 @@ use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, point_position, pose};
 use dataset::statistics::{median, median_of, median_vector, robust_sigma};
+use flight::moore_penrose;
 
 /// Rigid-body motion at one instant, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -166,6 +167,9 @@ fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
     (parabola.position, parabola.velocity)
 }
 
+/// Singular value, relative to the greatest, up to which samples at the same time determine no velocity.
+const RANK_TOLERANCE: f64 = 1e-12;
+
 /// Least-squares parabola in time through measured positions.
 struct Parabola {
     position: Vector3<f64>,
@@ -180,14 +184,12 @@ impl Parabola {
         let design = DMatrix::from_fn(frames.len(), powers, |row, power| {
             frames[row].time.powi(power as i32)
         });
-        let svd = design.clone().svd(true, true);
+        let inverse = moore_penrose(&design, RANK_TOLERANCE);
         let (mut position, mut velocity) = (Vector3::zeros(), Vector3::zeros());
         let mut squares = vec![0.0_f64; frames.len()];
         for axis in 0..3 {
             let values = DVector::from_fn(frames.len(), |row, _| frames[row].position[axis]);
-            // Both factors of the SVD were computed, so that there is a solution.
-            let solved = svd.solve(&values, 1e-12);
-            let polynomial = solved.unwrap_or_else(|_| DVector::zeros(powers));
+            let polynomial = &inverse * &values;
             let residuals = &design * &polynomial - values;
             for (sum, residual) in squares.iter_mut().zip(residuals.iter()) {
                 *sum += residual * residual;

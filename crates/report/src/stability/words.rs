@@ -29,7 +29,7 @@ pub(super) fn named(modes: &Modes) -> Vec<(&Mode, String)> {
 
 pub(super) fn steady(trim: &Trim) -> String {
     format!(
-        "At the spin of release, held, the body can fly at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
+        "At the spin of release, held, the body can fly through the air at {:.2} m/s, {:.2}° below the horizontal, nose {:.2}°, hyzer {:.2}°, \
          its heading turning by {:+.2}°/s. Its modes there:",
         trim.throw.speed,
         -trim.throw.launch,

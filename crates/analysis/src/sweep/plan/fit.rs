@@ -82,6 +82,18 @@ pub(super) fn read<'t>(
             reader.fault(span.clone(), message);
             continue;
         };
+        let plan = &names.release;
+        let mut stated = plan.coefficients.iter().chain(&plan.parameters);
+        if let Some((name, value)) =
+            stated.find(|(name, value)| *name == own.name && *value != own.value)
+        {
+            let message = format!(
+                "{path}: {name} is {value} in the plan and {} in the fit; expected one of the two: leave out that of the plan, \
+                 or state in [fit] the coefficients to take, as in coefficients = [\"C_L0\"]",
+                own.value
+            );
+            reader.fault(span.clone(), message);
+        }
         match own.std_error {
             Some(sd) => found.axes.push(Axis {
                 name: own.name,

@@ -273,8 +273,13 @@ fn correlations<'t>(
     let Some(items) = given.get_ref().as_array() else {
         return reader.refuse_type(given, "correlations", EXPECTED);
     };
+    let mut stated = Vec::new();
     for item in items {
         let table = item.get_ref().as_table();
+        if let Some(table) = table {
+            let keys = ["of", "value"].into_iter();
+            reader.known_keys(table, " in [[correlations]]", keys);
+        }
         let Some((of, value)) = table.and_then(|t| Some((t.get("of")?, t.get("value")?))) else {
             reader.wrong_type(item, "a correlation", EXPECTED);
             continue;
@@ -305,6 +310,12 @@ fn correlations<'t>(
             reader.fault(value.span(), message);
             continue;
         }
+        let pair = [i.min(j), i.max(j)];
+        if stated.contains(&pair) {
+            let message = format!("found a second correlation of {a} and {b}; expected one");
+            reader.fault(of.span(), message);
+        }
+        stated.push(pair);
         (matrix[i][j], matrix[j][i]) = (number, number);
     }
     factor(reader, given.span(), &matrix)
