@@ -13,7 +13,7 @@ use crate::input_error::InputError;
 use model_spec::compose::Instrument;
 
 const LENGTHS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
-const TIMES: [&str; 2] = ["s", "ms"];
+const TIMES: [&str; 4] = ["s", "ms", "us", "ns"];
 const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
 /// Units of the readings of gyroscopes, with their values in rad/s; the first is that of a dataset.
 pub const ANGULAR_RATES: [(&str, f64); 4] = [
