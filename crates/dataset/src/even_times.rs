@@ -111,7 +111,7 @@ mod tests {
             let frames = (0..200).filter(|frame| frame % 37 != 5);
             for (time, frame) in times.iter().zip(frames) {
                 assert!(
-                    (time - frame as f64 / rate).abs() < 0.25 * unit,
+                    (time - f64::from(frame) / rate).abs() < 0.25 * unit,
                     "{rate} {unit} {frame}"
                 );
             }
@@ -123,7 +123,7 @@ mod tests {
         let even = rounded(100.0, 0.01, 0..50);
         let fine = rounded(120.0, 1e-6, 0..50);
         let uneven: Vec<f64> = (0..50)
-            .map(|k| 0.01 * k as f64 + if k % 3 == 0 { 0.003 } else { 0.0 })
+            .map(|k| 0.01 * f64::from(k) + if k % 3 == 0 { 0.003 } else { 0.0 })
             .collect();
         for times in [even, fine, uneven, vec![0.0, 0.1, 0.25]] {
             let mut spaced = times.clone();

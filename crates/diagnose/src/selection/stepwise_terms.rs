@@ -329,13 +329,13 @@ impl StepwiseTerm {
 fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> String {
     let test = term.map_or_else(String::new, |term| {
         format!(
-            " score \u{3c7}\u{b2}(1) = {:.0}, one-step estimate {} \u{b1} {}",
+            ": score \u{3c7}\u{b2}(1) = {:.0}, one-step estimate {} \u{b1} {}",
             term.score_chi2,
             significant(term.value, 3),
             significant(term.std_error, 3)
         )
     });
-    format!("Found in {flights} flights of {dataset}, which no candidate effect explains:{test}.")
+    format!("Found in {flights} flights of {dataset}, which no candidate effect explains{test}.")
 }
 
 #[cfg(test)]
@@ -361,6 +361,15 @@ mod tests {
                 assert_eq!(again.coefficients.len(), model.coefficients.len() + 1);
             }
         }
+    }
+
+    #[test]
+    fn the_comment_of_an_effect_ends_where_no_statistic_is_known() {
+        let comment = evidence("made", 6, None);
+        assert_eq!(
+            comment,
+            "Found in 6 flights of made, which no candidate effect explains."
+        );
     }
 
     #[test]
