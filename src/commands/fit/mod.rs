@@ -89,9 +89,12 @@ impl<'a> Inputs<'a> {
         out: Option<output::Results<'a>>,
     ) -> anyhow::Result<Inputs<'a>> {
         let fixed = given.hold.iter().map(|text| held(text));
-        let fixed = fixed.collect::<anyhow::Result<_>>()?;
+        let fixed = fixed.collect::<anyhow::Result<Vec<_>>>()?;
         let priors = given.prior.iter().map(|text| prior(text));
-        let priors = priors.collect::<anyhow::Result<_>>()?;
+        let priors = priors.collect::<anyhow::Result<Vec<_>>>()?;
+        let held = || fixed.iter().map(|(name, _)| ("--hold", &**name));
+        once(held().chain(given.free.iter().map(|name| ("--free", &**name))))?;
+        once(held().chain(priors.iter().map(|own| ("--prior", &*own.name))))?;
         let dataset = dataset::load_on(&given.dataset, given.threads)?;
         let model = model_of(given.model.as_ref(), &given.dataset, &dataset)?;
         let name = given.dataset.file_name();
@@ -232,6 +235,18 @@ pub(super) fn deadline(seconds: Option<f64>) -> anyhow::Result<Option<Instant>> 
     );
     let limit = Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX);
     Ok(Instant::now().checked_add(limit))
+}
+
+/// Refuses a name that options state twice, as each of them alone says what becomes of a coefficient.
+fn once<'a>(stated: impl Iterator<Item = (&'a str, &'a str)>) -> anyhow::Result<()> {
+    let mut known: Vec<(&str, &str)> = Vec::new();
+    for (option, name) in stated {
+        if let Some((first, _)) = known.iter().find(|(_, own)| *own == name) {
+            bail!("found {first} {name} and {option} {name}; expected one of them");
+        }
+        known.push((option, name));
+    }
+    Ok(())
 }
 
 /// Parses a coefficient to hold, `NAME` or `NAME=VALUE`.

@@ -33,6 +33,17 @@ pub fn unit(ratio: f64) -> Option<(f64, &'static str)> {
     UNITS.iter().copied().find(|(length, _)| near(*length))
 }
 
+/// Correction of positions, named by `which`, that are in a unit of `length` metres.
+pub fn correction(which: &str, length: f64) -> String {
+    let multiplied = format!("multiply {which} by {length}");
+    if length > 1.0 {
+        // Few record in kilometres.
+        format!("{multiplied}, or remove `length` from [recording] if the tables are in metres")
+    } else {
+        multiplied
+    }
+}
+
 /// All pairs (i, j), i < j, of at most the first [`MAX_MARKERS`] markers.
 pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
     let count = markers.min(MAX_MARKERS);

@@ -6,7 +6,7 @@ use model_spec::model::{ExprKind, FrameKind, Model};
 use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
-use super::distances::{UNITS, unit};
+use super::distances::{UNITS, correction, unit};
 use super::loads::{Regression, Row, regress, rows};
 use super::mirror::{MEND, UPRIGHT, reflection, upright};
 use super::track::{Conversion, Track};
@@ -191,7 +191,7 @@ impl<'a> FreeFall<'a> {
             return (
                 FaultKind::Units,
                 format!("{detail}, as if positions were in {name}"),
-                format!("multiply the positions by {length}"),
+                correction("the positions", length),
             );
         }
         let (told, correction) = time_words(ratio);
@@ -307,7 +307,7 @@ impl<'a> FreeFall<'a> {
             return Some(fault(
                 FaultKind::Units,
                 format!("{as_others} its positions seem to be in {name}"),
-                &format!("multiply the positions in {} by {length}", flight.file),
+                &correction(&format!("the positions in {}", flight.file), length),
             ));
         }
         if is_down && !(0.75..1.33).contains(&ratio) && of_time < enough {

@@ -1,6 +1,6 @@
 //! Faults that distances between markers reveal: a unit of length, exchanged labels, a misplaced marker.
 
-use super::distances::{Distances, MAX_MARKERS, unit};
+use super::distances::{Distances, MAX_MARKERS, correction, unit};
 use crate::error::{DataFault, FaultKind};
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight, Marker};
@@ -33,7 +33,7 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
             format!(
                 "distances between markers are {ratio:.4} times those of the template, as if positions were in {name}"
             ),
-            format!("multiply the positions in {} by {length}", flight.file),
+            correction(&format!("the positions in {}", flight.file), length),
         ),
         (None, Some((length, name))) => (
             format!(
