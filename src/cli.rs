@@ -306,7 +306,7 @@ pub struct Simulate {
     /// Throw given by its quantities, or by a launch monitor
     #[command(flatten)]
     pub throw: ThrowOptions,
-    /// Set a parameter, coefficient or initial state, SI; may be repeated
+    /// Set a parameter, coefficient, component of an input such as wind_x, or initial state, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Wind: its velocity in the inertial frame, m/s, or a TOML file with [wind]: profiles in height, gusts (docs/reference/wind.md)
@@ -389,7 +389,7 @@ pub struct Synthesize {
     /// Add an effect, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
-    /// Set a parameter, coefficient or initial state, SI; may be repeated
+    /// Set a parameter, coefficient, component of an input such as wind_x, or initial state, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Seed of all random numbers

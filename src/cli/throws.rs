@@ -121,7 +121,7 @@ pub struct Stability {
     /// Throw given by its quantities
     #[command(flatten)]
     pub throw: ThrowOptions,
-    /// Set a parameter or coefficient, SI; may be repeated
+    /// Set a parameter, coefficient or component of an input such as wind_x, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Add an effect, by name or path; may be repeated

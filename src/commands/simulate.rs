@@ -268,15 +268,41 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
     if vocabulary.is_computed(name) {
         bail!("--set: {name} is computed from other parameters; set those");
     }
+    if let Some(component) = component_of_input(name, model, release) {
+        *component = value;
+        return Ok(());
+    }
     let Some((_, state)) = release.initial.iter_mut().find(|(known, _)| known == name) else {
         let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);
         let mut known: Vec<&str> = constants.map(|constant| constant.name.as_str()).collect();
         known.extend(release.initial.iter().map(|(name, _)| name.as_str()));
+        let inputs = model.inputs.iter();
+        let inputs: Vec<String> = inputs.map(|own| format!("{}_x", own.name)).collect();
+        known.extend(inputs.iter().map(String::as_str));
         let (model, known) = (&model.name, known.join(", "));
         bail!("--set: the model {model} has no {name:?}; it has {known}");
     };
     *state = value;
     Ok(())
+}
+
+/// Value of the component of a vector input that is called `name`, such as `wind_x`, in a release.
+fn component_of_input<'r>(
+    name: &str,
+    model: &Model,
+    release: &'r mut Release,
+) -> Option<&'r mut f64> {
+    let (input, axis) = name.rsplit_once('_')?;
+    let axis = ["x", "y", "z"].iter().position(|own| *own == axis)?;
+    let input = model.inputs.iter().find(|own| own.name == input)?;
+    if input.name == "wind" {
+        return Some(&mut release.wind[axis]);
+    }
+    if !release.known.iter().any(|(own, _)| *own == input.name) {
+        release.known.push((input.name.clone(), input.value));
+    }
+    let known = release.known.iter_mut().find(|(own, _)| *own == input.name);
+    known.map(|(_, vector)| &mut vector[axis])
 }
 
 fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory, units: Units) -> String {

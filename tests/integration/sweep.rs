@@ -362,9 +362,9 @@ fn faults_of_a_plan_are_named_with_their_place() {
             "the lower bound first",
         ),
         (
-            "[vary]\nspeed = { values = [10.0, 1000.0] }",
+            "[vary]\nspeed = { values = [10.0, 10000.0] }",
             "7:9",
-            "speed would be 1000",
+            "speed would be 10000",
         ),
         ("[vary]\nspeed = { values = [] }", "7:20", "a list of 1 to"),
         (

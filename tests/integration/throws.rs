@@ -167,6 +167,19 @@ fn a_point_mass_has_no_angles() {
 }
 
 #[test]
+fn a_component_of_a_vector_input_is_set_by_its_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let release = folder.path().join("drive.toml");
+    let text = "model = \"golf_ball\"\nuntil = \"ground\"\n[throw]\nspeed = 60.0\nlaunch = 12.0\n[wind]\n\
+        constant = [0.0, 3.0, 0.0]\n[known]\nomega = [0.0, -280.0, 0.0]\n";
+    std::fs::write(&release, text).expect("written");
+    let (_, stated) = flown(&["--release", &release.to_string_lossy()]);
+    let sets = ["--set", "omega_y=-280", "--set", "wind_y=3"];
+    let (_, set) = flown(&[&["golf_ball", "--speed", "60", "--launch", "12"][..], &sets].concat());
+    assert_eq!(stated["landing_m"], set["landing_m"]);
+}
+
+#[test]
 fn a_state_that_a_throw_determines_is_not_set() {
     for (name, is_kept) in [("x", true), ("z", false), ("u", false), ("C_D0", true)] {
         let set = format!("{name}=0.2");

@@ -39,7 +39,7 @@ pub struct Release {
 pub enum Stop {
     /// The flight ends after this duration since release, s.
     Duration(f64),
-    /// The flight ends when the height state `z` falls to 0.
+    /// The flight ends when the height, the third coordinate of the place of the body, falls to 0.
     Ground,
 }
 

@@ -51,14 +51,15 @@ pub struct Throw {
     pub wobble: Option<f64>,
 }
 
-/// Name, unit, minimum and maximum value of each field of a [`Throw`], the motion of a body at release.
+/// Name, unit, minimum and maximum value of each field of a [`Throw`], the motion of a body at release. The speed and the
+/// spin of a bullet are within them: that of a rifle leaves the barrel at some 900 m/s and 300,000 rpm.
 pub const FIELDS: [(&str, &str, f64, f64); 8] = [
-    ("speed", "m/s", 0.0, 150.0),
+    ("speed", "m/s", 0.0, 2000.0),
     ("heading", "deg", -360.0, 360.0),
     ("launch", "deg", -90.0, 90.0),
     ("nose", "deg", -90.0, 90.0),
     ("hyzer", "deg", -180.0, 180.0),
-    ("spin", "rpm", -20000.0, 20000.0),
+    ("spin", "rpm", -500_000.0, 500_000.0),
     ("height", "m", -1000.0, 10000.0),
     ("wobble", "deg", 0.0, 60.0),
 ];

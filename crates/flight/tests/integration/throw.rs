@@ -304,6 +304,15 @@ fn what_a_point_mass_cannot_have_is_refused() {
     }
 }
 
+#[test]
+fn a_bullet_leaves_the_barrel() {
+    let bullet = Throw {
+        spin: Some(-300_000.0),
+        ..Throw::at_speed(900.0)
+    };
+    assert_eq!(bullet.check(), Ok(()));
+}
+
 fn read(table: &str) -> Result<Release, release::ReleaseError> {
     let text = format!("model = \"disc\"\nuntil = \"ground\"\n{table}");
     release::read("r.toml", &text, |_| Ok(Vocabulary::of(&model("disc"))))
@@ -318,11 +327,11 @@ fn each_fault_of_a_throw_is_named_with_its_place() {
         ),
         (
             "[throw]\nspeed = 0\n",
-            "r.toml:4:9: speed is 0; expected a number above 0 and up to 150 m/s",
+            "r.toml:4:9: speed is 0; expected a number above 0 and up to 2000 m/s",
         ),
         (
             "[throw]\nspeed = -3\n",
-            "r.toml:4:9: speed is -3; expected a number above 0 and up to 150 m/s",
+            "r.toml:4:9: speed is -3; expected a number above 0 and up to 2000 m/s",
         ),
         (
             "[throw]\nspeed = 20\nlaunch = 91\n",
@@ -359,7 +368,7 @@ fn each_fault_of_a_throw_is_named_with_its_place() {
             Err(refusal) => assert_eq!(refusal.to_string(), expected),
         }
     }
-    let two = read("[throw]\nlaunch = 91\nspeed = 900\n").unwrap_err();
+    let two = read("[throw]\nlaunch = 91\nspeed = 9000\n").unwrap_err();
     assert_eq!(two.faults.len(), 2, "{two}");
 }
 
