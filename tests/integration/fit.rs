@@ -92,6 +92,10 @@ fn what_is_asked_wrongly_is_refused() {
         (vec!["fit", "examples/nothing"], "no such folder"),
         (vec!["fit", "examples/disc", "--hold", "C_X"], "C_X"),
         (
+            vec!["fit", "examples/disc", "--hold", "C_La", "--free", "C_La"],
+            "found --hold C_La and --free C_La; expected one of them",
+        ),
+        (
             vec!["fit", "examples/disc", "--hold", "C_Nr=fast"],
             "\"fast\"",
         ),

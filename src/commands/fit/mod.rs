@@ -242,7 +242,7 @@ fn once<'a>(stated: impl Iterator<Item = (&'a str, &'a str)>) -> anyhow::Result<
     let mut known: Vec<(&str, &str)> = Vec::new();
     for (option, name) in stated {
         if let Some((first, _)) = known.iter().find(|(_, own)| *own == name) {
-            bail!("found {first} {name} and {option} {name}; expected one of them");
+            anyhow::bail!("found {first} {name} and {option} {name}; expected one of them");
         }
         known.push((option, name));
     }
