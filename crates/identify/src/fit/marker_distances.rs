@@ -9,7 +9,6 @@ use nalgebra::Vector3;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::levels::{LEAST_NOISE, NEAR_NOISE, ROBUST_ERROR, SIGNIFICANT};
-use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::report::MarkerDistance;
@@ -113,14 +112,15 @@ fn mean(flights: &[Vec<Sum>], noise: f64) -> Option<(f64, f64)> {
 const MIN_DISTANCES: usize = 10;
 const MAX_MARKERS: usize = 6;
 
-/// Vectors between the markers of each pair in each flight, by sample.
+/// Vectors between the markers of each pair in each flight, by sample; the flight is told by its place.
 fn all_apart<'s>(
     state: &'s State<'_>,
-) -> impl Iterator<Item = (&'s Observations, [usize; 2], Vec<Option<Vector3<f64>>>)> {
+) -> impl Iterator<Item = (usize, [usize; 2], Vec<Option<Vector3<f64>>>)> {
     let markers = marker_count(state.problem);
-    state.flights.iter().flat_map(move |flight| {
+    let flights = state.flights.iter().enumerate();
+    flights.flat_map(move |(place, flight)| {
         let pairs = (0..markers).flat_map(move |one| (one + 1..markers).map(move |b| [one, b]));
-        pairs.map(move |[one, other]| (flight, [one, other], apart(flight, one, other).collect()))
+        pairs.map(move |[one, other]| (place, [one, other], apart(flight, one, other).collect()))
     })
 }
 
@@ -142,34 +142,40 @@ fn apart(
 }
 
 /// Sentence that the residuals exceed the noise that the scatter of the distances shows; `None` if they do not, or the
-/// flights do not tell. What moves all markers together, the model's error above all, leaves their distances alone.
-pub fn excess(state: &State<'_>, noise: &NoiseModel) -> Option<String> {
-    // Squared scatter of each pair's distances, and what the residuals let expect.
-    let (mut found, mut expected, mut count) = (Vec::new(), Vec::new(), 0);
-    for (_, pair, apart) in all_apart(state) {
-        let apart: Vec<Vector3<f64>> = apart.into_iter().flatten().collect();
-        if apart.len() < MIN_DISTANCES {
+/// flights do not tell. What moves all markers together, the model's error above all, leaves their distances alone. Each
+/// pair of markers in each flight is compared with itself, as noise differs between them.
+pub fn excess(state: &State<'_>, cache: &ResidualCache) -> Option<String> {
+    let (mut ratios, mut count) = (Vec::new(), 0);
+    for (place, pair, apart) in all_apart(state) {
+        let Ok(path) = cache.path(&state.flights, place) else {
+            continue;
+        };
+        // The distance, and the residuals of both markers along the line between them.
+        let (mut lengths, mut along) = (Vec::new(), [Vec::new(), Vec::new()]);
+        for (sample, apart) in apart.iter().enumerate() {
+            let residual = pair.map(|marker| path.residuals[marker].get(sample).copied().flatten());
+            if let (Some(apart), [Some(one), Some(other)]) = (apart, residual) {
+                let line = apart.normalize();
+                lengths.push(apart.norm());
+                along[0].push(line.dot(&Vector3::from(one)).abs());
+                along[1].push(line.dot(&Vector3::from(other)).abs());
+            }
+        }
+        if lengths.len() < MIN_DISTANCES {
             continue;
         }
-        let variances = pair.map(|channel| Vector3::from(noise.of(channel).sigma.map(|s| s * s)));
-        let both = variances[0] + variances[1];
-        let along = apart
-            .iter()
-            .map(|a| a.component_mul(a).dot(&both) / a.norm_squared());
-        expected.push(along.sum::<f64>() / apart.len() as f64);
-        let mut lengths: Vec<f64> = apart.iter().map(Vector3::norm).collect();
+        count += lengths.len();
+        let expected: f64 = along.iter_mut().map(|own| robust_sigma(own).powi(2)).sum();
         let middle = median(&mut lengths);
         let mut sizes: Vec<f64> = lengths.iter().map(|l| (l - middle).abs()).collect();
         // Of the difference of two coordinates.
         let least = 2.0 * LEAST_NOISE * LEAST_NOISE;
-        found.push(robust_sigma(&mut sizes).powi(2).max(least));
-        count += lengths.len();
+        ratios.push(expected / robust_sigma(&mut sizes).powi(2).max(least));
     }
-    if found.is_empty() {
+    if ratios.is_empty() {
         return None;
     }
-    let [found, expected] = [found, expected].map(|mut all| median(&mut all));
-    let ratio = (expected / found).sqrt();
+    let ratio = median(&mut ratios).sqrt();
     let by_chance = 1.0 + SIGNIFICANT * ROBUST_ERROR / (count as f64).sqrt();
     (ratio.is_finite() && ratio > NEAR_NOISE.max(by_chance)).then(|| {
         format!(
@@ -189,9 +195,9 @@ const EVEN: f64 = 0.1;
 /// since an interpolation cuts corners.
 pub fn filtered(state: &State<'_>) -> Option<String> {
     let mut sums = Sums::default();
-    for (flight, _, apart) in all_apart(state) {
+    for (place, _, apart) in all_apart(state) {
         let series = deviations(apart);
-        sums.add(&series, flight, state.interval);
+        sums.add(&series, &state.flights[place], state.interval);
         sums.add_phases(&series);
     }
     let seen = match sums.period() {
@@ -374,6 +380,54 @@ mod tests {
         }
         let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
         assert_eq!(fitted.report.cautions, Vec::<String>::new());
+    }
+
+    #[test]
+    fn noise_that_differs_from_flight_to_flight_is_no_fault_and_a_wrong_motion_is() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let plan = Plan {
+            flights: 6,
+            duration: Some(0.8),
+            ..Plan::default()
+        };
+        let exact = Plan {
+            noise: Corruption {
+                sigma: 0.0,
+                ..Corruption::default()
+            },
+            ..plan.clone()
+        };
+        // The noise of each flight is 0.3 to 5 times that of the plan.
+        let (mut dataset, exact) = (
+            simulated(&model, "backhand", &plan),
+            simulated(&model, "backhand", &exact),
+        );
+        for (index, (flight, exact)) in zip(&mut dataset.flights, &exact.flights).enumerate() {
+            let size = [0.3, 0.6, 1.2, 2.5, 5.0, 0.6][index];
+            let points = zip(flight.positions.iter_mut(), &exact.positions);
+            for (point, exact) in points.flat_map(|(row, exact)| zip(row, exact)) {
+                let (Some(point), Some(exact)) = (point, exact) else {
+                    continue;
+                };
+                for (own, exact) in zip(point, exact) {
+                    *own = exact + size * (*own - exact);
+                }
+            }
+        }
+        let told = |dataset: &dataset::Dataset| {
+            let fitted = fit(&model, dataset, &FitOptions::default()).unwrap();
+            fitted.report.excess.is_some()
+        };
+        assert!(!told(&dataset));
+        for flight in &mut dataset.flights {
+            for (time, row) in zip(&flight.times, &mut flight.positions) {
+                let shaken = 0.01 * (60.0 * time).sin();
+                row.iter_mut()
+                    .flatten()
+                    .for_each(|point| point[0] += shaken);
+            }
+        }
+        assert!(told(&dataset));
     }
 
     /// Replaces each position, or one of `step`, by the mean of the positions around it with the weights `weights`.

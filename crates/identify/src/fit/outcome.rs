@@ -101,7 +101,7 @@ pub fn reports(
         doubts,
         doubt_of_summaries,
         open_side: open_side(state.problem, &state.flights),
-        excess: marker_distances::excess(state, &fitted.noise),
+        excess: marker_distances::excess(state, &fitted.cache),
         contradicted: marker_distances::filtered(state).into_iter().collect(),
         not_identifiable,
         profiles,
