@@ -38,7 +38,7 @@ impl DesignBuilder {
     ///
     /// # Errors
     /// [`Error::Throw`] if the body cannot be thrown; [`Error::UnknownName`] for a bound of an unknown quantity;
-    /// [`Error::Design`] if no throw within the bounds can be flown to the ground.
+    /// [`Error::Design`] if bounds are no range, or no throw within them can be flown to the ground.
     pub fn run(&self) -> Result<Design, Error> {
         let body = ThrownBody::new(self.model.checked().clone())?;
         let flights = body.with_parameters(body.compiled.layout().default_parameters());

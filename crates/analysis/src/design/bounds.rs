@@ -94,6 +94,14 @@ impl Bounds {
         self
     }
 
+    /// A quantity whose minimum and maximum are no range, with both.
+    pub(super) fn no_range(&self) -> Option<(&'static str, f64, f64)> {
+        let is_range = |least: f64, most: f64| least <= most && (most - least).is_finite();
+        let mut ranges = self.ranges.iter();
+        let found = ranges.find(|(_, least, most)| !is_range(*least, *most));
+        found.map(|(field, least, most)| (FIELDS[*field].0, *least, *most))
+    }
+
     /// Ranges that the search may vary: those whose minimum is less than the maximum.
     pub fn free(&self) -> impl Iterator<Item = &(usize, f64, f64)> {
         let ranges = self.ranges.iter();

@@ -22,6 +22,7 @@
 
 mod bounds;
 mod box_quadratic;
+mod error;
 mod fly;
 mod goal;
 mod json;
@@ -34,10 +35,11 @@ mod spread;
 mod throw_flight;
 
 pub use bounds::{Bounds, Scatter};
+pub use error::DesignError;
 pub use flight::release::ReleaseError as BoundsError;
 pub use goal::{GOALS, Goal, Obstacle, Side};
 pub use path::{Landing, Path};
-pub use search::{Design, DesignError, SearchOptions, design, numbers};
+pub use search::{Design, SearchOptions, design, numbers};
 pub use sensitivity::{OneUnit, Sensitivity, sensitivities};
 pub use spread::{
     Agreement, Aims, Band, Landings, QUANTILES, SampleOptions, Sampled, Scattered, Spread,

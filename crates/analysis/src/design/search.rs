@@ -12,6 +12,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::design::bounds::Bounds;
+use crate::design::error::DesignError;
 use crate::design::goal::{Goal, Side};
 use crate::design::optimise::{Arrival, Values, descend, meet};
 use crate::design::sensitivity::{Sensitivity, sensitivities};
@@ -71,43 +72,6 @@ pub struct Design {
     pub flown: usize,
 }
 
-/// Reason why a search finds no throw.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum DesignError {
-    /// None of the starting throws could be flown to the ground.
-    #[error(
-        "none of {tried} throws within the bounds could be flown to the ground; the last one: {last}"
-    )]
-    NoFlight {
-        /// Number of starting throws.
-        tried: usize,
-        /// Reason why the last one could not be flown.
-        last: ThrowFlightError,
-    },
-    /// Throws can be flown, but their derivatives cannot be computed.
-    #[error(
-        "throws within the bounds could be flown, but none with derivatives; expected a model that is smooth there"
-    )]
-    NoDescent,
-    /// The goal needs an obstacle, and the bounds have none.
-    #[error(
-        "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"
-    )]
-    NoObstacle,
-    /// A coordinate of the target is no finite number.
-    #[error("the target is ({}); expected finite numbers", .0.map(|x| x.to_string()).join(", "))]
-    NotFinite([f64; 3]),
-    /// The target is below the ground, by the given depth, m.
-    #[error("the target is {0} m below the ground; expected a height of 0 or more")]
-    Buried(f64),
-    /// The goal is a flare at a point on the ground.
-    #[error("the goal flare needs a target above the ground; found a height of 0")]
-    FlareOnGround,
-    /// The throw that was found cannot be flown at the final tolerance.
-    #[error(transparent)]
-    Flight(#[from] ThrowFlightError),
-}
-
 /// Root sum square of the constraint violations, in m and m/s, below which a throw is feasible.
 const SERVES: f64 = 1e-3;
 /// Relative tolerances of the integration: of the starting throws, the descents and the final flight.
@@ -139,6 +103,13 @@ pub fn design(
             return Err(DesignError::FlareOnGround);
         }
         _ => {}
+    }
+    if let Some((name, least, greatest)) = bounds.no_range() {
+        return Err(DesignError::NoRange {
+            name,
+            least,
+            greatest,
+        });
     }
     let task = Task {
         flights,

@@ -245,6 +245,22 @@ fn a_target_that_is_no_point_is_refused() {
 }
 
 #[test]
+fn bounds_that_are_no_range_are_refused() {
+    let disc = body("disc");
+    let flights = with_wind(&disc, [0.0; 3]);
+    for (least, most) in [(22.0, 10.0), (f64::NAN, 20.0), (10.0, f64::INFINITY)] {
+        let bounds = Bounds::standard(&disc).with("speed", least, most);
+        let found = design(&flights, Goal::Range, &bounds, &SearchOptions::default());
+        let error = found.err().map(|error| error.to_string());
+        let told = format!("the bounds of speed are {least} and {most}; expected");
+        assert!(
+            error.as_ref().is_some_and(|error| error.starts_with(&told)),
+            "{error:?}"
+        );
+    }
+}
+
+#[test]
 fn the_same_throw_is_found_on_any_number_of_threads() {
     let disc = body("disc");
     let flights = with_wind(&disc, [0.0; 3]);
