@@ -4,6 +4,7 @@
 use std::f64::consts::TAU;
 
 use flight::parallel;
+use flight::throw::ThrownModel;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
@@ -29,7 +30,8 @@ const ACCEPTED_RATIO: f64 = 0.9;
 /// noise: odds of 150 to 1.
 const MIN_DEVIANCE: f64 = 10.0;
 
-/// Least relative difference of initial states of different fits: a turn per interval is most of a state.
+/// Least relative difference of initial states, or of their angular velocities, of different fits: a turn per interval is
+/// most of either.
 const ANOTHER: f64 = 0.1;
 
 /// Decrease of the deviance by which a minimum, or another initial state of a flight, is better.
@@ -142,11 +144,21 @@ fn converged(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
     Ok(cache)
 }
 
-/// Whether a flight has another initial state in another fit: with a gyroscope both may arrive at the same spin.
+/// Whether a flight starts with another angular velocity in another fit: with a gyroscope both may arrive at the same
+/// one, by other angles for the same attitude.
 fn is_another(one: &State<'_>, other: &State<'_>) -> bool {
+    let (problem, thrown) = (one.problem, ThrownModel::new(&one.problem.model).ok());
+    let rates = |local: &DVector<f64>| {
+        let state = &local.as_slice()[..problem.body.layout().states.len()];
+        let motion = thrown.as_ref()?.motion(state, &problem.parameters);
+        Some(motion.turning?.rates)
+    };
+    let is_same = |(one, other): (&DVector<f64>, &DVector<f64>)| match (rates(one), rates(other)) {
+        (Some(one), Some(other)) => (one - other).norm() < ANOTHER * other.norm(),
+        _ => are_same(&problem.model, (one, other)),
+    };
     let mut pairs = one.local.iter().zip(&other.local);
-    let model = &one.problem.model;
-    one.local.len() == other.local.len() && pairs.any(|(one, other)| !are_same(model, (one, other)))
+    one.local.len() == other.local.len() && pairs.any(|pair| !is_same(pair))
 }
 
 /// Whether two initial states differ little, but for whole turns and the signs of quaternions.
