@@ -113,8 +113,8 @@ const MIN_DISTANCES: usize = 10;
 const MAX_MARKERS: usize = 6;
 
 /// Vectors between the markers of each pair in each flight, by sample; the flight is told by its place.
-fn all_apart<'s>(
-    state: &'s State<'_>,
+fn all_apart(
+    state: &State<'_>,
 ) -> impl Iterator<Item = (usize, [usize; 2], Vec<Option<Vector3<f64>>>)> {
     let markers = marker_count(state.problem);
     let flights = state.flights.iter().enumerate();
