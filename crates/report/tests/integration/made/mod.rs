@@ -294,6 +294,7 @@ pub fn report(flights: usize) -> FitReport {
         doubt_of_summaries: None,
         contradicted: Vec::new(),
         excess: None,
+        open_side: None,
         not_identifiable: vec![NonIdentifiable {
             combination: vec!["C_Rr".into()],
             weights: BTreeMap::from([("C_Rr".into(), 0.99), ("C_Mq".into(), -0.12)]),
