@@ -1,19 +1,17 @@
 //! Modes against simulated flights, models of the same body against one another, the criteria against the modes.
 
-use analysis::stability::{
-    Body, BoundBody, FlightDirection, ModeKind, Modes, Trim, at, modes, trim,
-};
+use analysis::stability::{Body, BoundBody, FlightDirection, ModeKind, Modes, at, modes};
 use flight::throw::Throw;
 use nalgebra::{Complex, Vector3};
 use ode::{IntegrationOptions, integrate};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-fn body(name: &str) -> Body {
+pub fn body(name: &str) -> Body {
     Body::new(model_spec::load::load(name, &[]).expect(name)).expect(name)
 }
 
-fn defaults(body: &Body) -> BoundBody<'_> {
+pub fn defaults(body: &Body) -> BoundBody<'_> {
     body.with_parameters(body.compiled.layout().default_parameters())
 }
 
@@ -77,34 +75,6 @@ fn many_throws_have_the_same_modes_in_two_charts() {
             let off = (a.value - b.value).norm();
             assert!(off < 1e-6 * (1.0 + a.value.norm()), "{throw:?}: {off:e}");
         }
-    }
-}
-
-#[test]
-fn a_constant_wind_carries_steady_flight_along() {
-    let disc = body("disc");
-    let calm = defaults(&disc);
-    let mut parameters = calm.parameters.clone();
-    let wind = disc.compiled.layout().components("wind").expect("an input");
-    for (component, speed) in wind.iter().zip([3.0, -2.0, 0.5]) {
-        parameters[component.index()] = speed;
-    }
-    let windy = disc.with_parameters(parameters);
-    let of = |body: &BoundBody<'_>| trim(body, -60.0).expect("a steady flight");
-    let (calm, windy) = (of(&calm), of(&windy));
-    assert!(calm.turn.abs() > 0.1, "it turns");
-    let numbers = |own: &Trim| [own.throw.speed, own.throw.launch, own.turn];
-    for (calm, windy) in numbers(&calm).into_iter().zip(numbers(&windy)) {
-        assert!((calm - windy).abs() < 1e-6, "{calm} {windy}");
-    }
-    let values = |own: &Trim| modes(&own.linearised, own.turn).modes;
-    for (calm, windy) in values(&calm).iter().zip(values(&windy)) {
-        assert!(
-            (calm.value - windy.value).norm() < 1e-6,
-            "{} {}",
-            calm.value,
-            windy.value
-        );
     }
 }
 

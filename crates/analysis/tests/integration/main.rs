@@ -4,6 +4,7 @@ mod bounds;
 mod eigenvalues;
 mod gradients;
 mod spread;
+mod steady_flight;
 mod support;
 #[cfg(feature = "sweep")]
 mod sweep_wind;
