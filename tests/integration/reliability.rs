@@ -207,20 +207,19 @@ fn units_conventions_and_saturation_of_sensors_are_named() {
     let conjugate = |[w, x, y, z]: [f64; 4]| [w, -x, -y, -z];
     refused(sensed(same, conjugate), "attitude = \"inertial_to_body\"");
     let last = |[w, x, y, z]: [f64; 4]| [x, y, z, w];
-    refused(sensed(same, last), "scalar part last");
-    // A body that seems to spin about its first axis.
-    let both = |[w, x, y, z]: [f64; 4]| [-x, -y, -z, w];
     refused(
-        sensed(same, both),
-        "if the quaternions have the scalar part last and turn inertial to body components",
+        sensed(same, last),
+        "if the quaternions have the scalar part last, ",
     );
+    let both = |[w, x, y, z]: [f64; 4]| [-x, -y, -z, w];
+    let told =
+        "if the quaternions have the scalar part last and turn inertial to body components, ";
+    refused(sensed(same, both), told);
     let first_axis_up = |[w, x, y, z]: [f64; 4]| {
         [w + x + y + z, x + z - w - y, x + y - w - z, y + z - w - x].map(|own| 0.5 * own)
     };
-    refused(
-        sensed(same, first_axis_up),
-        "; state `body_up = \"+x\"` in [recording], or turn the body axes",
-    );
+    let told = "state `body_up = \"+x\"` in [recording], or turn the body axes";
+    refused(sensed(same, first_axis_up), told);
     let clipped = |rate: [f64; 3]| rate.map(|own| own.clamp(-34.9, 34.9));
     refused(sensed(clipped, unturned), "imu_z is saturated");
     let (count, kept) = (Cell::new(0), Cell::new([0.0; 3]));

@@ -35,9 +35,8 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
             channel: channel + 1,
             inertia: &inertia,
         };
-        let found = attitudes
-            .convention()
-            .or_else(|| attitudes.body_axes(problem));
+        let found = attitudes.body_axes(problem);
+        let found = found.or_else(|| attitudes.convention());
         let found = found.map(|message| (FaultKind::AttitudeConvention, message));
         found.map_or_else(Vec::new, |found| of_flights(dataset, channel, found))
     });
@@ -116,7 +115,8 @@ impl Attitudes<'_> {
             .filter(|axis| is_flat && *axis != own)?;
         let name = dataset::AXES[axis];
         let turned = format!("state `body_up = \"+{name}\"` in [recording], or turn the body axes");
-        // With the parts of the quaternions exchanged, a spin about one axis looks like one about another.
+        // With the parts of the quaternions exchanged, a spin about one axis looks like one about another, and what is
+        // steadier may be by noise: both are told.
         let steadiness = self.unsteadiness(stated)?;
         let is_better = |(read, ..): &&(Read, &str, &str)| {
             self.spin_axis(*read) == Some(own)
