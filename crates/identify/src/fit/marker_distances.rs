@@ -157,20 +157,22 @@ pub fn excess(state: &State<'_>, cache: &ResidualCache) -> Option<String> {
             if let (Some(apart), [Some(one), Some(other)]) = (apart, residual) {
                 let line = apart.normalize();
                 lengths.push(apart.norm());
-                along[0].push(line.dot(&Vector3::from(one)).abs());
-                along[1].push(line.dot(&Vector3::from(other)).abs());
+                along[0].push(line.dot(&Vector3::from(one)));
+                along[1].push(line.dot(&Vector3::from(other)));
             }
         }
         if lengths.len() < MIN_DISTANCES {
             continue;
         }
         count += lengths.len();
-        let expected: f64 = along.iter_mut().map(|own| robust_sigma(own).powi(2)).sum();
-        let middle = median(&mut lengths);
-        let mut sizes: Vec<f64> = lengths.iter().map(|l| (l - middle).abs()).collect();
+        let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
+        lengths.iter_mut().for_each(|length| *length -= mean);
+        // Mean squares add up whatever the distribution of the noise is.
+        let mean_square = |own: &[f64]| own.iter().map(|v| v * v).sum::<f64>() / own.len() as f64;
+        let expected: f64 = along.iter().map(|own| mean_square(own)).sum();
         // Of the difference of two coordinates.
         let least = 2.0 * LEAST_NOISE * LEAST_NOISE;
-        ratios.push(expected / robust_sigma(&mut sizes).powi(2).max(least));
+        ratios.push(expected / mean_square(&lengths).max(least));
     }
     if ratios.is_empty() {
         return None;
