@@ -9,11 +9,9 @@ use crate::toml_reader::{
 };
 use crate::wind::WindField;
 use model_spec::load::LoadError;
-use model_spec::model::Model;
 use model_spec::syntax::spelling::joined;
 use std::ops::Range;
 use std::path::Path;
-use std::sync::Arc;
 use toml::de::DeTable;
 
 /// Reads and parses a release file, the TOML file with the initial conditions of a flight; otherwise as [`read`].
@@ -123,15 +121,6 @@ impl<'t> Reader<'t> {
             Ok(vocabulary) => vocabulary,
             Err(why) => return self.refuse(name.span(), why.to_string()),
         };
-        let has_height = |model: &Arc<Model>| model.place()[2].is_some();
-        if let (Some(Stop::Ground), Some(until)) = (&stop, document.get("until"))
-            && !vocabulary.model.as_ref().is_none_or(has_height)
-        {
-            let message = format!(
-                "no state of the model {model_name} is a height, whose fall to 0 is the landing; expected duration = … (s)"
-            );
-            self.fault(until.span(), message);
-        }
         let (mut wind, wind_field) = self.wind(document);
         if !document.contains_key("wind") {
             wind = vocabulary.model.as_deref().map_or(wind, own_wind);

@@ -412,11 +412,4 @@ fn what_is_no_z_but_the_height_of_a_body_falls_to_the_ground() {
             flown_from_file(&format!("{head}{body}"), release).unwrap_or_else(|e| panic!("{e}"));
         assert!((flight.end - 1.0).abs() < 1e-9, "{}", flight.end);
     }
-    let none = format!("{head}state a = 1 m;\nder(a) = -1 [m/s];\n");
-    let release = "model = \"stone.hyz\"\nuntil = \"ground\"\n[initial]\na = 1.0\n";
-    let refusal = flown_from_file(&none, release).expect_err("no height");
-    assert!(
-        refusal.contains("2:9: no state of the model stone.hyz is a height"),
-        "{refusal}"
-    );
 }
