@@ -51,14 +51,13 @@ impl Estimates {
         };
         let coefficients = coefficients.iter().map(|(name, own)| estimated(name, own));
         let coefficients = coefficients.collect::<Result<Vec<_>, _>>()?;
+        let rows = &report["correlations"];
         let mut correlations = Vec::new();
-        for (a, row) in report["correlations"].as_object().into_iter().flatten() {
+        for (a, row) in rows.as_object().into_iter().flatten() {
             for (b, value) in row.as_object().into_iter().flatten() {
-                let is_new = |(x, y, _): &(String, String, f64)| !(x == b && y == a);
-                if let Some(value) = value.as_f64().filter(|value| value.abs() <= 1.0)
-                    && a != b
-                    && correlations.iter().all(is_new)
-                {
+                // Of a pair that is stated in both orders, one.
+                let is_first = a < b || a != b && rows[b][a].is_null();
+                if let Some(value) = value.as_f64().filter(|own| is_first && own.abs() <= 1.0) {
                     correlations.push((a.clone(), b.clone(), value));
                 }
             }
