@@ -1,7 +1,7 @@
 //! Names, words and units that may stand at a place.
 
 use model_spec::symbols::{BodyQuantity, Declaration, INNER, SymbolKind};
-use model_spec::syntax::words::{STATEMENTS, block_of};
+use model_spec::syntax::words::statements_of;
 use model_spec::unit::symbol;
 use serde_json::{Value, json};
 
@@ -49,10 +49,9 @@ pub fn complete(document: &Document, project: &Project<'_>, position: &Value) ->
         Place::Nothing => json!([]),
         Place::Statement => {
             let block = block(before);
-            let inside = block_of(block).map_or(&STATEMENTS[..], |own| own.statements);
-            let may_stand = |word: &str| inside.contains(&word);
+            let inside = statements_of(block);
             let mut own = statements();
-            own.retain(|(word, ..)| may_stand(word));
+            own.retain(|(word, ..)| inside.contains(word));
             let mut items = words(&own, 14);
             if block == "solve" {
                 // An equation begins with any name.

@@ -27,9 +27,9 @@ impl Parser<'_> {
     fn body_part(&mut self, is_claimed: bool) -> Read<BodyPart> {
         let start = self.here();
         let block = if is_claimed { "claim" } else { "body" };
-        let known = words::block_of(block).map_or(&[][..], |own| own.statements);
-        let Some(&word) = known.iter().find(|word| **word == self.raw()) else {
-            return self.expected_word(known);
+        let mut known = words::statements_of(block).iter();
+        let Some(&word) = known.find(|word| **word == self.raw()) else {
+            return self.expected_statement_of(block);
         };
         self.advance();
         let (words, kind) = match word {

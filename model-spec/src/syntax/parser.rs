@@ -250,14 +250,11 @@ impl<'a> Parser<'a> {
         words.iter().copied().filter(move |_| is_shown)
     }
 
-    /// Reports that one of `words` was expected, and suggests the nearest; returns `Err`.
-    pub fn expected_word<T>(&mut self, words: &[&str]) -> Read<T> {
-        self.expected_or(&words::listed(words), words)
-    }
-
-    /// Reports that a statement of the block that begins with `block` was expected; returns `Err`.
+    /// Reports that a statement of the block that begins with `block` was expected, and suggests the nearest word;
+    /// returns `Err`.
     pub fn expected_statement_of<T>(&mut self, block: &str) -> Read<T> {
-        self.expected_word(words::block_of(block).map_or(&[], |own| own.statements))
+        let words = words::statements_of(block);
+        self.expected_or(&words::listed(words), words)
     }
 
     /// Reports that `what` was expected, and suggests the nearest of `words`; returns `Err`.

@@ -1,7 +1,7 @@
 //! Words that begin a statement: of a file, and of each block.
 
 /// Words that begin a statement of a file.
-pub const STATEMENTS: [&str; 24] = [
+pub static STATEMENTS: [&str; 24] = [
     "model",
     "include",
     "reference",
@@ -96,9 +96,10 @@ const fn block(
     }
 }
 
-/// The block that begins with this word.
-pub fn block_of(word: &str) -> Option<&'static Block> {
-    BLOCKS.iter().find(|block| block.word == word)
+/// Words that begin a statement in the block that begins with `word`; those of a file if it begins none.
+pub fn statements_of(word: &str) -> &'static [&'static str] {
+    let block = BLOCKS.iter().find(|block| block.word == word);
+    block.map_or(&STATEMENTS, |own| own.statements)
 }
 
 /// The first block inside which `word` begins a statement, where it begins none of a file.
@@ -112,8 +113,8 @@ pub fn inside(word: &str) -> Option<&'static Block> {
 /// Whether a line that begins with `word` begins a statement, not the rest of an expression. The words of bodies and of
 /// equations are also names of quantities.
 pub(crate) fn begins_statement(word: &str) -> bool {
-    let is_of = |block: &str| block_of(block).is_some_and(|own| own.statements.contains(&word));
-    STATEMENTS.contains(&word) || is_of("effect") || is_of("check")
+    let mut all = ["", "effect", "check"].into_iter().map(statements_of);
+    all.any(|statements| statements.contains(&word))
 }
 
 /// `words` as messages list them.
