@@ -1,6 +1,8 @@
 //! Sentences of a diagnosis, which report, page and terminal share.
 
-use identify::numbers::{Digits, millimetres, percent, probability, significant, stated, unit};
+use identify::numbers::{
+    Digits, displayed, percent, probability, quantity, significant, stated, unit,
+};
 use identify::wording::{count, names, sentence};
 
 use super::types::{
@@ -121,23 +123,26 @@ impl PredictiveGain {
     /// Reduction of the RMS prediction error with its standard error, such as `19.4 ± 0.4 mm`.
     #[doc(hidden)]
     pub fn text(&self) -> String {
-        let (scale, unit) = match self.has_summaries {
-            true => (1.0 / self.noise_m, " times the noise"),
-            false => (1e3, "\u{a0}mm"),
+        let (scale, of) = match self.has_summaries {
+            true => (1.0 / self.noise_m, " times the noise".to_owned()),
+            false => {
+                let (scale, of) = displayed(&self.unit);
+                (scale, format!("\u{a0}{}", unit(of)))
+            }
         };
         let (value, error) = (scale * self.error_reduction_m(), scale * self.std_error_m);
         if !(error.is_finite() && error > 0.0) {
             return self.size(self.error_reduction_m());
         }
         let digits = Digits::of(value, error);
-        format!("{} ± {}{unit}", digits.one(value), digits.one(error))
+        format!("{} ± {}{of}", digits.one(value), digits.one(error))
     }
 
-    /// An error, m, in words; in units of the noise where summaries are predicted.
+    /// An error in words; in units of the noise where summaries are predicted.
     fn size(&self, error_m: f64) -> String {
         match self.has_summaries {
             true => format!("{} times the noise", significant(error_m / self.noise_m, 3)),
-            false => millimetres(error_m),
+            false => quantity(error_m, &self.unit),
         }
     }
 
@@ -159,7 +164,7 @@ impl PredictiveGain {
             true => String::new(),
             false => format!(
                 " The noise, {}, is the lower limit of any model.",
-                millimetres(self.noise_m)
+                quantity(self.noise_m, &self.unit)
             ),
         };
         let per = if self.has_summaries {
@@ -410,5 +415,15 @@ mod tests {
         }
         let text = gain(0.03).sentences().replace('\u{a0}', " ");
         assert!(text.contains("a gain of −10.0 ± 1.0 mm"), "{text}");
+        let by_accelerometer = PredictiveGain {
+            unit: "m/s^2".into(),
+            ..gain(0.03)
+        };
+        let text = by_accelerometer.sentences().replace('\u{a0}', " ");
+        assert!(text.contains("a gain of −0.0100 ± 0.0010 m/s²"), "{text}");
+        assert!(
+            text.contains("0.0300 m/s² with it") && !text.contains("mm"),
+            "{text}"
+        );
     }
 }

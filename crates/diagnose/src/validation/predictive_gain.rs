@@ -19,6 +19,10 @@ pub struct PredictiveGain {
     pub std_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_m: f64,
+    /// SI unit of the errors, in place of m: `m` for positions; without positions, that of the first kind of instrument.
+    #[doc(hidden)]
+    #[serde(default)]
+    pub unit: String,
     /// Whether errors of summaries are among them: those are in units of the noise of their columns, times `noise_m`.
     #[doc(hidden)]
     #[serde(default)]
@@ -129,6 +133,7 @@ pub(super) struct FlightErrors {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Predictions {
     errors: Vec<FlightErrors>,
+    unit: String,
     only_before: usize,
     only_after: usize,
 }
@@ -136,6 +141,7 @@ pub(super) struct Predictions {
 impl Predictions {
     pub fn join(&mut self, others: Self) {
         self.errors.extend(others.errors);
+        self.unit = others.unit;
         self.only_before += others.only_before;
         self.only_after += others.only_after;
     }
@@ -179,7 +185,10 @@ pub(super) fn predictions(
     not_applied: &[usize],
     noise_m: f64,
 ) -> Predictions {
-    let mut predictions = Predictions::default();
+    let mut predictions = Predictions {
+        unit: before.leading_noise().unit.clone(),
+        ..Predictions::default()
+    };
     let flights = before.flights.iter().zip(&after.flights).enumerate();
     for (flight, (before, after)) in flights.filter(|(_, (b, _))| b.role == Role::HeldOut) {
         let is_applied = !not_applied.contains(&flight);
@@ -232,6 +241,7 @@ pub(super) fn summarize(
             _ => (spread * (count - 1.0) / count).sqrt(),
         },
         noise_m,
+        unit: predictions.unit,
         has_summaries: flights.iter().any(|flight| flight.is_summary),
         flights: flights.len(),
         without: flights.iter().filter(|flight| !flight.is_applied).count(),
@@ -306,6 +316,7 @@ mod tests {
                 errors: vec![flight],
                 only_before,
                 only_after,
+                ..Predictions::default()
             };
             let gain = summarize(predictions, 0.0015, true).unwrap();
             (gain.is_improvement(), gain.is_worse())

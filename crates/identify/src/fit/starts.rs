@@ -16,7 +16,7 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
-use crate::levels::ROUGHLY_NOISE;
+use crate::levels::{NEAR_NOISE, ROUGHLY_NOISE};
 use crate::observations::Observations;
 use dataset::statistics::median_of;
 
@@ -131,8 +131,22 @@ pub fn resolve_spin_aliases(
             best = place;
         }
     }
-    let doubt = "the spin is not determined: with a turn more or less per sampling interval the flights fit as well";
-    arrivals.take(best, is_doubtful.then(|| doubt.to_owned()))
+    // A missing term leaves such residuals too.
+    let is_near = || best > 0 && scale(0) < NEAR_NOISE * scale(best);
+    let how = match (
+        is_doubtful,
+        is_near() && is_another(&fits[0].0, &fits[best].0),
+    ) {
+        (true, _) => Some("as well"),
+        (false, true) => Some("almost as well, as where the model lacks a term"),
+        (false, false) => None,
+    };
+    let doubt = how.map(|how| {
+        format!(
+            "the spin is not determined: with a turn more or less per sampling interval the flights fit {how}"
+        )
+    });
+    arrivals.take(best, doubt)
 }
 
 /// Continues the horizon, and from residuals at the noise on to the minimum: likelihoods are compared at minima.

@@ -3,8 +3,7 @@ use dataset::Role;
 use diagnose::{CandidateTest, FlightGain, LackOfFit, Report};
 use identify::SmoothMisfit;
 use identify::numbers::{
-    equivalent_z, millimetres, percent, plain, probability, probability_of_ln, quantity,
-    significant,
+    equivalent_z, percent, plain, probability, probability_of_ln, quantity, significant,
 };
 use identify::wording::{count, names, short};
 
@@ -153,13 +152,14 @@ fn flights(page: &DiagnosisPage<'_>, figures: &[Figure]) -> Table {
     let tested = report.lack_of_fit.as_ref().map(|test| &test.flights);
     let p = |flight: &FlightGain| tested?.get(&flight.file).copied();
     let gain = |flight: &FlightGain| Some(flight.rms_before_m? - flight.rms_after_m?);
+    let rms = |value: f64| quantity(value, &report.leading_noise().unit);
     Table::of(all.into_iter().take(MAX_ROWS))
         .file("flight", |flight| links(page, figures, &flight.file))
-        .number("rms before", |flight| flight.rms_before_m.map(millimetres))
-        .number("rms extended", |flight| flight.rms_after_m.map(millimetres))
+        .number("rms before", |flight| flight.rms_before_m.map(rms))
+        .number("rms extended", |flight| flight.rms_after_m.map(rms))
         .number("gain", |flight| {
             let is_loss = gain(flight).is_some_and(|gain| gain < 0.0);
-            Cell::from(gain(flight).map(millimetres)).doubtful_if(is_loss)
+            Cell::from(gain(flight).map(rms)).doubtful_if(is_loss)
         })
         .number("lack of fit, p", |flight| p(flight).map(probability))
         .text("", |flight| remarks(report, flight))

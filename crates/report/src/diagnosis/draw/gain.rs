@@ -2,6 +2,7 @@
 
 use dataset::Role;
 use diagnose::{FlightGain, Report};
+use identify::numbers::{displayed, unit};
 use model_spec::sort_by_number;
 
 use crate::figure::Figure;
@@ -23,18 +24,23 @@ pub(in super::super) fn gain(report: &Report) -> Option<Figure> {
         held_out.extend(all.filter(|f| f.role == Role::HeldOut && f.rms_after_m.is_some()));
     }
     let number = held_out.len();
+    let (scale, of) = displayed(&report.leading_noise().unit);
     let held_out = largest_first(held_out, MAX_FLIGHTS, |flight| flight.rms_before_m);
-    let mut all = row("all", Some(gain.rms_before_m), Some(gain.rms_after_m));
+    let mut all = row(
+        "all",
+        [gain.rms_before_m, gain.rms_after_m].map(Some),
+        scale,
+    );
     all.class = "strong";
-    let (after, error) = (1e3 * gain.rms_after_m, 1e3 * gain.std_error_m);
+    let (after, error) = (scale * gain.rms_after_m, scale * gain.std_error_m);
     let reach = Shape::Span((after - error).max(0.0), after + error, "reach");
     all.shapes.insert(1, reach);
     // A single flight would repeat the row of all flights.
     let most = if number > 1 { MAX_FLIGHTS } else { 0 };
     let shown = held_out.iter().take(most);
-    let rows = std::iter::once(all).chain(shown.map(|flight| of_flight(flight)));
-    let across = "RMS prediction error, mm";
-    let chart = before_and_after("Prediction errors", rows, across, gain.noise_m);
+    let rows = std::iter::once(all).chain(shown.map(|flight| of_flight(flight, scale)));
+    let across = format!("RMS prediction error, {}", unit(of));
+    let chart = before_and_after("Prediction errors", rows, &across, scale * gain.noise_m);
     let left_out = not_drawn(number.saturating_sub(MAX_FLIGHTS), "more flights");
     let caption = format!(
         "Flights that were not fitted; the bar at ‘all’ is the standard error of the difference, the broken line the \
@@ -43,7 +49,7 @@ pub(in super::super) fn gain(report: &Report) -> Option<Figure> {
     Some(Figure::of_chart("gain", &chart, &caption, Layout::SMALL))
 }
 
-/// Chart of RMS values, mm, without and with the added effects; `noise` in m.
+/// Chart of RMS values without and with the added effects; `noise` in the same unit.
 fn before_and_after(
     title: &str,
     rows: impl Iterator<Item = Row>,
@@ -56,23 +62,27 @@ fn before_and_after(
         _ => None,
     };
     let values = rows.iter().flat_map(|r| &r.shapes).filter_map(value);
-    let axis = axis_for(values.chain([1e3 * noise]));
+    let axis = axis_for(values.chain([noise]));
     let legend = [("before", "before"), ("after", "extended")];
     let legend = legend.map(|(class, words)| (Shape::Dot(0.0, class), words.to_owned()));
     Chart {
         legend: legend.into(),
-        level: Some((1e3 * noise, "noise".into())),
+        level: Some((noise, "noise".into())),
         ..Chart::new(title, rows, axis, across)
     }
 }
 
-fn of_flight(flight: &FlightGain) -> Row {
-    row(&flight.file, flight.rms_before_m, flight.rms_after_m)
+fn of_flight(flight: &FlightGain, scale: f64) -> Row {
+    row(
+        &flight.file,
+        [flight.rms_before_m, flight.rms_after_m],
+        scale,
+    )
 }
 
-fn row(name: &str, before: Option<f64>, after: Option<f64>) -> Row {
-    let before = 1e3 * before.unwrap_or(f64::NAN);
-    let after = after.map(|rms| 1e3 * rms);
+fn row(name: &str, rms: [Option<f64>; 2], scale: f64) -> Row {
+    let [before, after] = rms.map(|rms| rms.map(|rms| scale * rms));
+    let before = before.unwrap_or(f64::NAN);
     let mut shapes = Vec::new();
     shapes.extend(after.map(|after| Shape::Span(before, after, "join")));
     shapes.push(Shape::Dot(before, "before"));
@@ -91,19 +101,22 @@ pub(in super::super) fn flights(report: &Report) -> Option<Figure> {
     if fitted.is_empty() {
         return None;
     }
-    let (title, noise) = ("Fitted flights", report.leading_noise().sigma);
+    let (title, noise) = ("Fitted flights", report.leading_noise());
+    let (scale, of) = displayed(&noise.unit);
+    let (noise, axis) = (scale * noise.sigma, format!("RMS residual, {}", unit(of)));
     if fitted.len() > MAX_ROWS {
-        return Some(ranked(title, &fitted, 1e3 * noise));
+        return Some(ranked(title, &fitted, (noise, scale), &axis));
     }
-    let rows = fitted.iter().map(|flight| of_flight(flight));
-    let chart = before_and_after(title, rows, "RMS residual, mm", noise);
+    let rows = fitted.iter().map(|flight| of_flight(flight, scale));
+    let chart = before_and_after(title, rows, &axis, noise);
     let caption = "RMS residuals of the fitted flights, without and with the extension.";
     Some(Figure::of_chart("flights", &chart, caption, Layout::SMALL))
 }
 
-/// Two dots for each flight, in the order of the residual without the added effects; `noise` in mm.
-fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Figure {
-    let both = |f: &&FlightGain| Some((1e3 * f.rms_before_m?, 1e3 * f.rms_after_m?));
+/// Two dots for each flight, in the order of the residual without the added effects; `noise` as
+/// shown, and the factor of what is shown.
+fn ranked(title: &str, fitted: &[&FlightGain], (noise, scale): (f64, f64), axis: &str) -> Figure {
+    let both = |f: &&FlightGain| Some((scale * f.rms_before_m?, scale * f.rms_after_m?));
     let sizes = fitted.iter().filter_map(both);
     let mut sizes: Vec<(f64, f64)> = sizes.collect();
     sizes.retain(|s| s.0.is_finite() && s.1.is_finite());
@@ -121,7 +134,7 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Figure {
     let panel = Panel {
         levels: vec![noise],
         up: Some((0.0, 1.05 * largest)),
-        ..Panel::new("RMS residual, mm", across)
+        ..Panel::new(axis, across)
             .line("extended", end(&after))
             .line("before", end(&before))
             .dots(Look::Colour(1), before)
