@@ -22,17 +22,22 @@ rm -rf "$target/python-wheels"
 maturin build --quiet --locked --profile dev --features as-tested --out "$target/python-wheels"
 pip install --quiet --disable-pip-version-check --force-reinstall --no-deps "$target"/python-wheels/*.whl
 
-echo "== ruff, mypy, pyright, stubs"
-ruff check .
-ruff format --check .
-mypy
-pyright --pythonpath "$venv/bin/python"
-stubtest hyzer._hyzer
+echo "== ruff, mypy, pyright, stubs, beside the tests"
+static() {
+    ruff check . && ruff format --check . && mypy && pyright --pythonpath "$venv/bin/python" && stubtest hyzer._hyzer
+}
+static >"$target/python-static.log" 2>&1 &
+checks=$!
 
 echo "== tests"
 # From the root, where `hyzer` is the installed package and the examples are.
-cd "$root"
-pytest --quiet -c python/pyproject.toml --rootdir python --import-mode importlib python/tests --ignore python/tests/ir --pyargs hyzer
+tests() {
+    (cd "$root" && pytest --quiet -c python/pyproject.toml --rootdir python --import-mode importlib "$@")
+}
+tests -n auto -m "not alone" python/tests --ignore python/tests/ir --pyargs hyzer
+wait "$checks" || { cat "$target/python-static.log"; exit 1; }
+cat "$target/python-static.log"
+tests -m alone python/tests --ignore python/tests/ir
 if [ "${1:-}" = --all ]; then
-    pytest --quiet -c /dev/null --rootdir python/tests/ir python/tests/ir
+    (cd "$root" && pytest --quiet -n auto -c /dev/null --rootdir python/tests/ir python/tests/ir)
 fi

@@ -131,6 +131,7 @@ WORK: dict[str, Callable[[Path], object]] = {
 }
 
 
+@pytest.mark.alone
 @pytest.mark.parametrize("work", WORK)
 @pytest.mark.parametrize("begin", [0.06, 0.3])
 def test_ctrl_c_ends_work_within_a_fifth_of_a_second(
@@ -154,6 +155,7 @@ def test_ctrl_c_ends_work_within_a_fifth_of_a_second(
     assert work == "diagnose" or isinstance(raised.value, hyzer.Cancelled)
 
 
+@pytest.mark.alone
 def test_the_lock_of_the_interpreter_is_free_meanwhile() -> None:
     counts = [0]
     running = True

@@ -39,6 +39,7 @@ def test_exit_statuses_are_those_of_the_program(
     assert "Traceback" not in run.stderr
 
 
+@pytest.mark.alone
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_signal_ends_the_program_at_once(number: signal.Signals, tmp_path: Path) -> None:
     out = str(tmp_path / "out")
