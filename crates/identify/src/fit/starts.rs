@@ -16,7 +16,7 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
-use crate::levels::{NEAR_NOISE, ROUGHLY_NOISE};
+use crate::levels::ROUGHLY_NOISE;
 use crate::observations::Observations;
 use dataset::statistics::median_of;
 
@@ -29,6 +29,10 @@ const ACCEPTED_RATIO: f64 = 0.9;
 /// Decrease of the deviance, −2 ln of the likelihood, at which another spin is preferred where the residuals of both are
 /// noise: odds of 150 to 1.
 const MIN_DEVIANCE: f64 = 10.0;
+
+/// Decrease of the deviance at which a faster spin is certain: with a term that the model lacks, wrong spins gained up to 25
+/// in simulated flights, and right ones at least 39.
+const DECISIVE: f64 = 30.0;
 
 /// Least relative difference of initial states, or of their angular velocities, of different fits: a turn per interval is
 /// most of either.
@@ -131,15 +135,18 @@ pub fn resolve_spin_aliases(
             best = place;
         }
     }
-    // A missing term leaves such residuals too.
-    let is_near = || best > 0 && scale(0) < NEAR_NOISE * scale(best);
-    let how = match (
-        is_doubtful,
-        is_near() && is_another(&fits[0].0, &fits[best].0),
-    ) {
-        (true, _) => Some("as well"),
-        (false, true) => Some("almost as well, as where the model lacks a term"),
-        (false, false) => None,
+    let is_decisive = || {
+        let ((tried, new), (slowest, before)) = (&fits[best], &fits[0]);
+        let gains = gain_of((tried, new), (slowest, before), scale(best).min(scale(0)));
+        let is_clear = gains.into_iter().all(|gain| gain > DECISIVE);
+        is_clear || !is_another(tried, slowest)
+    };
+    let how = match is_doubtful {
+        true => Some("as well"),
+        false if best > 0 && !is_decisive() => {
+            Some("almost as well, as where the model lacks a term")
+        }
+        false => None,
     };
     let doubt = how.map(|how| {
         format!(

@@ -44,6 +44,34 @@ fn what_the_field_cannot_decide_is_said_and_refutes_nothing() {
     assert!(row.detail.contains("functions with branches"), "{row:?}");
 }
 
+#[test]
+fn identities_that_the_field_does_not_know_refute_nothing_but_small_terms_do() {
+    let law = |term: &str| {
+        let text = format!(
+            "model same; param k = 0.7; param s = 1 s; frame N; state w = 0.1; der(w) = (k + {term}*w)/s;"
+        );
+        model_spec::load::from_text("same", &text, &[]).unwrap()
+    };
+    let terms = [
+        "exp(log(2))",
+        "cos(0)",
+        "tanh(w - w)",
+        "abs(-1)",
+        "log(1)",
+        "atan2(0, 1)",
+        "asin(0)",
+    ];
+    for term in terms {
+        let model = law(term);
+        let row = check(&model, &codegen::compile(&model), &QUICK);
+        assert_eq!(row.verdict, Verdict::Skipped, "{term}: {row:?}");
+        assert!(row.detail.contains("equal in 256 bits"), "{row:?}");
+        let other = law(&format!("({term} + 1e-30*w)"));
+        let row = check(&model, &codegen::compile(&other), &QUICK);
+        assert_eq!(row.verdict, Verdict::Refuted, "{term}: {row:?}");
+    }
+}
+
 /// Wrong operations that may replace the operation `op` in a mutant of compiled code.
 fn changed(op: Op) -> Vec<Op> {
     match op {

@@ -28,3 +28,4 @@ mod systems;
 mod tables;
 mod ties;
 mod user_models;
+mod written_out;
