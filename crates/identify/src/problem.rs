@@ -15,7 +15,7 @@ use crate::channel::{self, Channel, ChannelKind};
 use crate::error::{FitError, FlightError, NameSource};
 use crate::fixed_axis::{add_point, fixed_axis};
 use crate::levels::FAR_ABOVE;
-use crate::noise::{Moments, NoiseModel, group_count};
+use crate::noise::{AxesNoise, Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
 use crate::summary::{self, SummaryModel};
 use dataset::pose;
@@ -276,11 +276,31 @@ impl FitProblem {
         }
     }
 
-    /// Copies the initial noise estimate and the scales of the channels from another problem of the same dataset.
+    /// Copies the initial noise estimate, and scales and noise groups of the channels, from another problem of the same
+    /// dataset.
     pub fn take_scales(&mut self, other: &FitProblem) {
         self.sigma0 = other.sigma0;
         for (channel, other) in self.channels.iter_mut().zip(&other.channels) {
-            channel.scale = other.scale;
+            (channel.scale, channel.group) = (other.scale, other.group);
+        }
+    }
+
+    /// Noise of the positions together, or of all channels without positions: by axis, the root mean square of their
+    /// standard deviations, m, and the mean of their autocorrelations.
+    pub fn position_noise(&self, noise: &NoiseModel) -> AxesNoise {
+        let scored = (0..self.channels.len()).filter(|channel| self.is_scored(*channel));
+        let count = scored.clone().count().max(1) as f64;
+        let mean = |of: &dyn Fn(&AxesNoise) -> f64| {
+            scored
+                .clone()
+                .map(|channel| of(noise.of(channel)))
+                .sum::<f64>()
+                / count
+        };
+        AxesNoise {
+            sigma: [0, 1, 2].map(|axis| mean(&|own| own.sigma[axis].powi(2)).sqrt()),
+            ar1: [0, 1, 2].map(|axis| mean(&|own| own.ar1[axis])),
+            interval: noise.interval,
         }
     }
 
