@@ -1,6 +1,7 @@
 //! The estimation problem: a model and a dataset, with known and estimated parameters.
 
 mod global_parameters;
+mod noise;
 mod tolerances;
 
 use std::sync::Arc;
@@ -15,7 +16,6 @@ use crate::channel::{self, Channel, ChannelKind};
 use crate::error::{FitError, FlightError, NameSource};
 use crate::fixed_axis::{add_point, fixed_axis};
 use crate::levels::FAR_ABOVE;
-use crate::noise::{AxesNoise, Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
 use crate::summary::{self, SummaryModel};
 use dataset::pose;
@@ -237,30 +237,6 @@ impl FitProblem {
         DVector::from_iterator(self.globals.len(), values)
     }
 
-    /// Noise group of each channel; the channels of a group have common noise parameters.
-    pub fn noise_groups(&self) -> Vec<usize> {
-        self.channels.iter().map(|channel| channel.group).collect()
-    }
-
-    /// Noise of each group by `moments` after a fit of `unknowns` unknowns, for a sampling interval in s; given
-    /// standard deviations replace the estimated ones.
-    pub fn noise_of(&self, moments: &[Moments], unknowns: usize, interval: f64) -> NoiseModel {
-        let all: usize = moments.iter().map(|sum| sum.count).sum();
-        let groups = moments.iter().enumerate().map(|(group, sum)| {
-            let of_group = self.channels.iter().find(|channel| channel.group == group);
-            let given = of_group.and_then(|channel| Some(channel.sigma? * channel.scale));
-            // The unknowns are distributed over the groups in proportion to their residuals.
-            let unknowns = (unknowns * sum.count).div_ceil(all.max(1));
-            sum.noise(unknowns, interval, given)
-        });
-        NoiseModel::of_groups(groups.collect(), self.noise_groups())
-    }
-
-    /// Creates empty sums of squares and products of residuals, one `Moments` for each noise group.
-    pub fn no_moments(&self) -> Vec<Moments> {
-        vec![Moments::default(); group_count(&self.noise_groups())]
-    }
-
     /// Whether positions are measured. If not, initial position and heading are open and have weak priors.
     pub(crate) fn sees_positions(&self) -> bool {
         self.channels.iter().any(Channel::is_position)
@@ -282,25 +258,6 @@ impl FitProblem {
         self.sigma0 = other.sigma0;
         for (channel, other) in self.channels.iter_mut().zip(&other.channels) {
             (channel.scale, channel.group) = (other.scale, other.group);
-        }
-    }
-
-    /// Noise of the positions together, or of all channels without positions: by axis, the root mean square of their
-    /// standard deviations, m, and the mean of their autocorrelations.
-    pub fn position_noise(&self, noise: &NoiseModel) -> AxesNoise {
-        let scored = (0..self.channels.len()).filter(|channel| self.is_scored(*channel));
-        let count = scored.clone().count().max(1) as f64;
-        let mean = |of: &dyn Fn(&AxesNoise) -> f64| {
-            scored
-                .clone()
-                .map(|channel| of(noise.of(channel)))
-                .sum::<f64>()
-                / count
-        };
-        AxesNoise {
-            sigma: [0, 1, 2].map(|axis| mean(&|own| own.sigma[axis].powi(2)).sqrt()),
-            ar1: [0, 1, 2].map(|axis| mean(&|own| own.ar1[axis])),
-            interval: noise.interval,
         }
     }
 

@@ -16,6 +16,7 @@ mod open_side;
 mod outcome;
 mod output_error;
 mod post_fit;
+mod reading_axes;
 mod residual_cache;
 mod restarts;
 mod reweighting;
@@ -239,6 +240,8 @@ impl Screened<'_> {
             floor_m.unwrap_or(reweighted.noise.overall()),
         );
         let (mut report, reports) = outcome::reports(&state, &reweighted)?;
+        let exchanged = reading_axes::exchanged(&state, &reweighted.cache);
+        report.contradicted.extend(exchanged);
         let Reweighted {
             noise, solution, ..
         } = reweighted;

@@ -26,6 +26,7 @@ mod units;
 use flight::parallel;
 
 use self::free_fall::FreeFall;
+pub(crate) use self::signed_axes::SignedAxes;
 use self::track::Track;
 pub(crate) use self::units::OtherUnit;
 use crate::error::{DataFault, ExcludedFlight, FaultKind, FlightError};
