@@ -1,6 +1,7 @@
 //! The estimation problem: a model and a dataset, with known and estimated parameters.
 
 mod global_parameters;
+mod noise;
 mod tolerances;
 
 use std::sync::Arc;
@@ -15,7 +16,6 @@ use crate::channel::{self, Channel, ChannelKind};
 use crate::error::{FitError, FlightError, NameSource};
 use crate::fixed_axis::{add_point, fixed_axis};
 use crate::levels::FAR_ABOVE;
-use crate::noise::{Moments, NoiseModel, group_count};
 use crate::options::FitOptions;
 use crate::summary::{self, SummaryModel};
 use dataset::pose;
@@ -237,30 +237,6 @@ impl FitProblem {
         DVector::from_iterator(self.globals.len(), values)
     }
 
-    /// Noise group of each channel; the channels of a group have common noise parameters.
-    pub fn noise_groups(&self) -> Vec<usize> {
-        self.channels.iter().map(|channel| channel.group).collect()
-    }
-
-    /// Noise of each group by `moments` after a fit of `unknowns` unknowns, for a sampling interval in s; given
-    /// standard deviations replace the estimated ones.
-    pub fn noise_of(&self, moments: &[Moments], unknowns: usize, interval: f64) -> NoiseModel {
-        let all: usize = moments.iter().map(|sum| sum.count).sum();
-        let groups = moments.iter().enumerate().map(|(group, sum)| {
-            let of_group = self.channels.iter().find(|channel| channel.group == group);
-            let given = of_group.and_then(|channel| Some(channel.sigma? * channel.scale));
-            // The unknowns are distributed over the groups in proportion to their residuals.
-            let unknowns = (unknowns * sum.count).div_ceil(all.max(1));
-            sum.noise(unknowns, interval, given)
-        });
-        NoiseModel::of_groups(groups.collect(), self.noise_groups())
-    }
-
-    /// Creates empty sums of squares and products of residuals, one `Moments` for each noise group.
-    pub fn no_moments(&self) -> Vec<Moments> {
-        vec![Moments::default(); group_count(&self.noise_groups())]
-    }
-
     /// Whether positions are measured. If not, initial position and heading are open and have weak priors.
     pub(crate) fn sees_positions(&self) -> bool {
         self.channels.iter().any(Channel::is_position)
@@ -276,11 +252,12 @@ impl FitProblem {
         }
     }
 
-    /// Copies the initial noise estimate and the scales of the channels from another problem of the same dataset.
+    /// Copies the initial noise estimate, and scales and noise groups of the channels, from another problem of the same
+    /// dataset.
     pub fn take_scales(&mut self, other: &FitProblem) {
         self.sigma0 = other.sigma0;
         for (channel, other) in self.channels.iter_mut().zip(&other.channels) {
-            channel.scale = other.scale;
+            (channel.scale, channel.group) = (other.scale, other.group);
         }
     }
 

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use anyhow::{Context, ensure};
-use dataset::takes::{FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template};
+use dataset::takes::{
+    FreeFlight, ReadOptions, Take, ThrowOptions, Throws, estimate_template, found_otherwise,
+};
 use dataset::{BodyTemplate, Marker};
 use flight::table::{listed, shown};
 
@@ -40,10 +42,14 @@ pub fn estimated(
         // The positions are estimated from the single points, not from poses of bodies.
         take.bodies.clear();
         let up = dataset::takes::up_of(&take, file, up)?;
-        let turned = take.with_z_up(up, options.left_handed);
+        let turned = take.clone().with_z_up(up, options.left_handed);
         let found = dataset::takes::find_throws(&turned, &[], &ThrowOptions::default());
         if !found.throws.is_empty() {
             thrown.push((turned, found));
+        } else if options.takes.len() == 1
+            && let Some(error) = found_otherwise(&take, file, &[], (up, options.left_handed))
+        {
+            return Err(error.into());
         }
     }
     ensure!(

@@ -72,10 +72,20 @@ impl Column {
     }
 }
 
-/// Label of a column name without unit, and what follows it.
+/// Label of a column name without unit, and what follows it: after a joint, or an axis in capitals, as of `m1X`.
 pub(crate) fn at_joint(bare: &str) -> (&str, &str) {
-    bare.rfind(JOINTS)
-        .map_or(("", bare), |at| (&bare[..at], &bare[at + 1..]))
+    let (label, last) = bare
+        .rfind(JOINTS)
+        .map_or(("", bare), |at| (&bare[..at], &bare[at + 1..]));
+    let stem = last.strip_suffix(['X', 'Y', 'Z']).unwrap_or_default();
+    // `tX` and `qX` are a translation and a part of a quaternion.
+    let is_name = stem.ends_with(|c: char| c.is_ascii_lowercase() || c.is_ascii_digit())
+        && stem != "t"
+        && !stem.ends_with('q');
+    match is_name {
+        true => bare.split_at(bare.len() - 1),
+        false => (label, last),
+    }
 }
 
 /// Splits a column name with a unit at its end (`x_mm`, `x (mm)`, `x [mm]`) before the unit; `None` without one.
@@ -122,6 +132,9 @@ mod tests {
             ("TIME (US)", "", Quantity::Time(Some(TimeUnit::Microsecond))),
             ("M1_X_MM", "M1", Quantity::Coordinate(0, mm)),
             ("m1 - x (mm)", "m1", Quantity::Coordinate(0, mm)),
+            ("m1X", "m1", Quantity::Coordinate(0, None)),
+            ("left rimZ (mm)", "left rim", Quantity::Coordinate(2, mm)),
+            ("qX", "", Quantity::Quaternion(1)),
             ("roll", "", Quantity::Other),
             ("m1_x (deg)", "m1", Quantity::Other),
         ];

@@ -6,6 +6,7 @@ use crate::takes::c3d::is_c3d;
 use crate::takes::columns::{Column, Quantity};
 use crate::takes::commented::with_bare_header;
 use crate::takes::neighbours::columns_of;
+use crate::takes::two_headers::joined;
 use crate::takes::{Fault, Location, separator, shown};
 
 /// File format of a recording.
@@ -68,7 +69,7 @@ impl Format {
             let expected = "a recording; a workbook is exported as CSV first";
             return Err(Fault::new(Location::Byte(0), "a ZIP archive", expected));
         }
-        let text = with_bare_header(crate::takes::file::text(bytes)?);
+        let text = joined(with_bare_header(crate::takes::file::text(bytes)?));
         let lines = || text.lines().zip(1..);
         let filled = |line: &str| !line.trim_matches([',', ';', '\t', ' ', '\r']).is_empty();
         let Some((first, line)) = lines().find(|(line, _)| filled(line) && !line.starts_with('#'))

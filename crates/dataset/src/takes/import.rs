@@ -3,13 +3,19 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use super::throws::GRAVITY;
 use super::{
-    Axis, Motion, Pose, Take, TakeError, Throw, ThrowOptions, find_throws, motion, rotated,
+    Axis, LengthUnit, Motion, Pose, Take, TakeError, Throw, ThrowOptions, find_throws, motion,
+    rotated,
 };
 use crate::sensor::{attitude, spin_axis};
 use crate::takes::{Fault, Location};
 use crate::{Flight, Marker};
 use flight::table::listed;
+
+/// Acceleration downwards of free flights, over that of gravity, by which a unit of length is told: units differ by a
+/// factor of 2.5 at least.
+const FALLS: std::ops::Range<f64> = 0.6..1.3;
 
 /// What the user states about the recordings of a body.
 #[derive(Clone, Debug, Default)]
@@ -65,10 +71,9 @@ impl ImportedTake {
         let mut turned = take.clone().with_z_up(up, options.left_handed);
         let found = find_throws(&turned, &labels, &ThrowOptions::default());
         if found.throws.is_empty()
-            && let Some(other) = other_up(take, &labels, options.left_handed, up)
+            && let Some(error) = found_otherwise(take, file, &labels, (up, options.left_handed))
         {
-            let found = format!("no throw with {up} up, and free flights with {other} up");
-            return Err(TakeError::new(file, fault(found, format!("--up {other}"))));
+            return Err(error);
         }
         let mut notes = take.notes.clone();
         if followed.is_pose() {
@@ -150,6 +155,25 @@ pub fn up_of(take: &Take, file: &Path, stated: Option<Axis>) -> Result<Axis, Tak
     })
 }
 
+/// Error that tells with which other axis up, or unit of length, the points or body of `labels` fly freely in a recording
+/// that has no throw with the axis `up` up and axes that are `left_handed` or not; `None` if there is none.
+pub fn found_otherwise(
+    take: &Take,
+    file: &Path,
+    labels: &[&str],
+    (up, left_handed): (Axis, bool),
+) -> Option<TakeError> {
+    let told = |found: String, option: String| Some(TakeError::new(file, fault(found, option)));
+    if let Some(other) = other_up(take, labels, left_handed, up) {
+        let found = format!("no throw with {up} up, and free flights with {other} up");
+        return told(found, format!("--up {other}"));
+    }
+    let turned = take.clone().with_z_up(up, left_handed);
+    let (other, own) = (other_length(&turned, labels)?, take.length);
+    let found = format!("no throw with lengths in {own}, and free flights with lengths in {other}");
+    told(found, format!("--length {other}"))
+}
+
 /// First axis other than `up` with which throws are found when it points up.
 fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option<Axis> {
     let all = ["+z", "+y", "+x", "-z", "-y", "-x"]
@@ -161,6 +185,23 @@ fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option
             .throws
             .is_empty()
     })
+}
+
+/// The one other unit of the coordinates of a recording with z up in which throws are found, falling about as fast as
+/// gravity makes bodies fall; `None` if there is none, or there are several.
+fn other_length(take: &Take, labels: &[&str]) -> Option<LengthUnit> {
+    let falls = |unit: &LengthUnit| {
+        let scaled = take.clone().scaled(unit.metres() / take.length.metres());
+        let found = find_throws(&scaled, labels, &ThrowOptions::default());
+        let mut falls = found
+            .throws
+            .iter()
+            .map(|throw| -throw.acceleration[2] / GRAVITY);
+        falls.any(|fall| FALLS.contains(&fall))
+    };
+    let others = LengthUnit::all().filter(|unit| *unit != take.length);
+    let mut others = others.filter(falls);
+    others.next().filter(|_| others.next().is_none())
 }
 
 /// Whether a label of a recording is the one `stated`: as it stands, or after its subject, as `m1` of `Disc:m1`. Readers

@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 use crate::even_times::space_evenly;
-use crate::takes::unseen;
 use crate::takes::{Body, Fault, Format, LengthUnit, Point, Pose, Sheet, Take, shown};
+use crate::takes::{clock_time, unseen};
 
 /// Maximum absolute value of a coordinate in a recording, m.
 pub(crate) const MAX_COORDINATE: f64 = 1e4;
@@ -236,9 +236,10 @@ impl Layout {
     fn time(&self, sheet: &Sheet<'_>, before: &[f64]) -> Result<f64, Fault> {
         let (cell, time) = match self.clock {
             Clock::Count(rate) => (0, before.len() as f64 / rate),
-            Clock::Column(index, unit) => {
-                (index, unit * sheet.needed(index, "the time of the sample")?)
-            }
+            Clock::Column(index, unit) => match clock_time::seconds(sheet.cell(index)) {
+                Some(time) => (index, clock_time::after(time, before.last().copied())),
+                None => (index, unit * sheet.needed(index, "the time of the sample")?),
+            },
             Clock::Frame(index, rate) => {
                 let frame = sheet.needed(index, "the number of the frame")?;
                 if frame.fract() != 0.0 || !(0.0..=1e9).contains(&frame) {

@@ -7,6 +7,7 @@
 
 mod axes;
 pub(crate) mod c3d;
+mod clock_time;
 mod columns;
 mod commented;
 mod error;
@@ -21,6 +22,7 @@ mod read;
 mod take;
 mod template;
 mod throws;
+mod two_headers;
 mod unit;
 mod unseen;
 mod z_up;
@@ -31,7 +33,7 @@ pub use flight::table::Location;
 pub(crate) use flight::table::{Fault, Sheet, listed, separator, shown};
 pub use format::Format;
 pub(crate) use format::is_digitised;
-pub use import::{Followed, ImportOptions, ImportedTake, name_of_label, up_of};
+pub use import::{Followed, ImportOptions, ImportedTake, found_otherwise, name_of_label, up_of};
 pub(crate) use layout::{
     Attitude, Clock, Layout, MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, TrackColumns, Tracks,
     unique,

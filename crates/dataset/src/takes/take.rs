@@ -51,6 +51,21 @@ pub struct Pose {
 }
 
 impl Take {
+    /// The recording with all positions multiplied by `factor`.
+    pub(crate) fn scaled(mut self, factor: f64) -> Self {
+        let points = self
+            .points
+            .iter_mut()
+            .flat_map(|point| &mut point.positions);
+        let poses = self.bodies.iter_mut().flat_map(|body| &mut body.poses);
+        let positions = points.flatten();
+        let positions = positions.chain(poses.flatten().map(|pose| &mut pose.position));
+        for coordinate in positions.flatten() {
+            *coordinate *= factor;
+        }
+        self
+    }
+
     /// Labels of all points, followed by those of all bodies.
     pub fn labels(&self) -> impl Iterator<Item = &str> {
         let points = self.points.iter().map(|point| point.label.as_str());

@@ -64,6 +64,11 @@ impl LengthUnit {
         found.map(|&(unit, ..)| unit)
     }
 
+    /// All units.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        Self::ALL.iter().map(|(unit, ..)| *unit)
+    }
+
     /// Length of one unit, m.
     pub fn metres(self) -> f64 {
         Self::ALL[self as usize].2

@@ -122,6 +122,7 @@ fn noise(
     let floor = residuals.map(|own| &own.noise);
     let is_inflated = |floor: &&NoiseModel| search.noise.overall() > INFLATED * floor.overall();
     let of_positions = floor.filter(is_inflated).unwrap_or(&search.noise);
+    let of_positions = model.problem.position_noise(of_positions);
     if let Some(positions) = noise.get_mut(MARKER) {
         positions.sigma = of_positions.overall();
         positions.lag1_autocorrelation = of_positions.ar1.iter().sum::<f64>() / 3.0;

@@ -124,8 +124,8 @@ fn held_markers(trajectory: &Trajectory, contact: usize, noise: &NoiseModel) -> 
     let (before, after) = (trajectory.markers(contact - 1), trajectory.markers(contact));
     let times = PARTS.iter().map(|part| {
         let mut normal = DMatrix::zeros(trajectory.dimension, trajectory.dimension);
-        for (before, after) in before.iter().zip(after) {
-            for (axis, sigma) in noise.sigma.iter().enumerate() {
+        for (marker, (before, after)) in before.iter().zip(after).enumerate() {
+            for (axis, sigma) in noise.of(marker).sigma.iter().enumerate() {
                 let derivatives = before.derivatives[axis].lerp(&after.derivatives[axis], *part);
                 let weight = (DISPLACEMENT_SIGMA * sigma).powi(-2);
                 normal.ger(weight, &derivatives, &derivatives, 1.0);

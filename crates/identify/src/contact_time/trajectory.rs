@@ -155,7 +155,7 @@ fn row(
     };
     let times = &observations.times;
     let gap = before.map(|(sample, _)| times[now.0] - times[sample]);
-    let (kept, deviation) = noise.innovation(axis, gap);
+    let (kept, deviation) = noise.of(marker).innovation(axis, gap);
     let fresh = &now.1.derivatives[axis] / deviation;
     let mut derivatives = fresh.clone();
     if let Some((_, predicted)) = before {

@@ -11,10 +11,12 @@ mod held_out;
 mod horizon_continuation;
 mod initial_guess;
 mod marker_distances;
+mod marker_noise;
 mod open_side;
 mod outcome;
 mod output_error;
 mod post_fit;
+mod reading_axes;
 mod residual_cache;
 mod restarts;
 mod reweighting;
@@ -182,6 +184,7 @@ fn fit_within(
     let observed = initial_guess::observe(&problem, dataset, &fitted, &screened.contacts, options);
     problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
     let flights = observed.usable.iter().map(|(_, observations)| observations);
+    marker_noise::set_groups(&mut problem, flights.clone());
     initial_guess::set_scales(&mut problem, flights.chain(summaries.observations()));
     let noise_floor = observed.noise_floor;
     let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
@@ -237,6 +240,8 @@ impl Screened<'_> {
             floor_m.unwrap_or(reweighted.noise.overall()),
         );
         let (mut report, reports) = outcome::reports(&state, &reweighted)?;
+        let exchanged = reading_axes::exchanged(&state, &reweighted.cache);
+        report.contradicted.extend(exchanged);
         let Reweighted {
             noise, solution, ..
         } = reweighted;
@@ -271,6 +276,7 @@ impl Screened<'_> {
         report.marker_distances = marker_distances;
         report.notes = summaries::notes(problem, dataset);
         report.notes.extend(inputs::notes(problem, dataset));
+        report.notes.extend(marker_noise::notes(problem, &noise));
         report.assess();
         let total = self.clock.elapsed().as_secs_f64();
         let seconds = [started, solved - started, total];

@@ -1,4 +1,4 @@
-//! Recordings that leave open which side of a body is up.
+//! Recordings that leave open which side of a body is up, or which hand their axes are of.
 
 use model_spec::compose::Instrument;
 
@@ -7,10 +7,17 @@ use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::screening::mirror;
 
-/// Why the recordings leave open which side of the body is up, and what to check; `None` if they show it.
+/// Why the recordings leave open which side of the body is up, or which hand their axes are of, and what to check; `None`
+/// if they show it. The path of a point shows no hand: only a known spin, whose force is then the opposite, does.
 pub fn open_side(problem: &FitProblem, flights: &[Observations]) -> Option<String> {
     if has_instruments_alone(problem) {
         return Some("nothing but the instruments shows the axes of the body; check their axes (`gyroscope_axes` and `accelerometer_axes` in [recording])".into());
+    }
+    if !problem.has_attitude && problem.sees_positions() {
+        return Some(format!(
+            "the path of a point does not show whether the axes are left-handed: if they are, {}; otherwise check the signs of what the flights state, such as a spin",
+            mirror::MEND
+        ));
     }
     mirror::is_upside_down(problem, flights).then(|| {
         format!(

@@ -221,6 +221,7 @@ fn noise_report(state: &State<'_>, noise: &NoiseModel) -> NoiseReport {
     let points: usize = measured.sum();
     let all: usize = flights.clone().map(|f| f.measured.len()).sum();
     let outliers: usize = flights.map(Observations::outliers).sum();
+    let noise = state.problem.position_noise(noise);
     let axis = |(k, name): (usize, &&str)| {
         let axis = AxisNoise {
             sigma: noise.sigma[k],

@@ -129,6 +129,17 @@ impl FixedGlobal<'_> {
         samples: usize,
         start: DVector<f64>,
     ) -> Result<(f64, DVector<f64>), FlightError> {
+        self.fit_initial_state_below(observations, samples, start, f64::INFINITY)
+    }
+
+    /// [`fit_initial_state`](Self::fit_initial_state) that gives up where progress is slow and the loss above `below`.
+    pub fn fit_initial_state_below(
+        self,
+        observations: &Observations,
+        samples: usize,
+        start: DVector<f64>,
+        below: f64,
+    ) -> Result<(f64, DVector<f64>), FlightError> {
         let sigma0 = self.problem.sigma0;
         let solve = |local: DVector<f64>, scale: f64, criteria: StoppingCriteria| {
             self.solve(observations, samples, local, Loss::Huber(scale), criteria)
@@ -144,7 +155,11 @@ impl FixedGlobal<'_> {
             scale = next;
             local = solve(local, scale, StoppingCriteria::HORIZON)?.0;
         }
-        let (local, solution) = solve(local, sigma0, StoppingCriteria::COARSE)?;
+        let criteria = StoppingCriteria {
+            worthwhile_squares: below,
+            ..StoppingCriteria::COARSE
+        };
+        let (local, solution) = solve(local, sigma0, criteria)?;
         if !solution.blocks[0].determines_local() {
             return Err(FlightError::SingularInitialState);
         }

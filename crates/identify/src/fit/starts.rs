@@ -400,17 +400,27 @@ fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
     let (at, sigma0) = (state.fixed_global(), state.problem.sigma0);
     let found = parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
         let observations = &state.flights[flight];
-        let fitted = |local: &DVector<f64>| {
-            at.fit_initial_state(observations, observations.times.len(), local.clone())
+        let fitted = |local: &DVector<f64>, below: f64| {
+            let samples = observations.times.len();
+            at.fit_initial_state_below(observations, samples, local.clone(), below)
                 .ok()
         };
-        let present = fitted(&state.local[flight]).map_or(f64::INFINITY, |(squares, _)| squares);
-        let others = distinct(at, observations, guesses.of(state.ids[flight]));
-        let best = others
-            .iter()
-            .filter_map(fitted)
-            .min_by(|a, b| a.0.total_cmp(&b.0))?;
-        (best.0 < present - SAME_MINIMUM * sigma0 * sigma0).then_some(best.1)
+        let present = fitted(&state.local[flight], f64::INFINITY);
+        let present = present.map_or(f64::INFINITY, |(squares, _)| squares);
+        let mut least = present - SAME_MINIMUM * sigma0 * sigma0;
+        let mut best = None;
+        for (of_part, other) in distinct(at, observations, guesses.of(state.ids[flight]), least) {
+            // The sum of squares of a whole flight is at least that of its first part.
+            if of_part >= least {
+                break;
+            }
+            if let Some((squares, local)) = fitted(&other, least)
+                && squares < least
+            {
+                (least, best) = (squares, Some(local));
+            }
+        }
+        best
     });
     let has_moved = found.iter().any(Option::is_some);
     for (local, better) in state.local.iter_mut().zip(found) {
@@ -421,25 +431,27 @@ fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
     has_moved
 }
 
-/// Initial states to which guesses lead over the first part of a flight, the best ones, each once.
+/// Initial states to which guesses lead over the first part of a flight, each once, with their sums of squares there, the
+/// least first; the best ones, and none that gets no sum of squares below `below` soon.
 fn distinct(
     at: FixedGlobal<'_>,
     observations: &Observations,
     guesses: &[InitialGuess],
-) -> Vec<DVector<f64>> {
+    below: f64,
+) -> Vec<(f64, DVector<f64>)> {
     let model = &at.problem.model;
     let samples = observations.samples_until(observations.times[0] + FIRST_PART.0);
     let begun = guesses.iter().filter_map(|guess| {
-        at.fit_initial_state(observations, samples, guess.state.clone())
+        at.fit_initial_state_below(observations, samples, guess.state.clone(), below)
             .ok()
     });
     let mut begun: Vec<(f64, DVector<f64>)> = begun.collect();
     begun.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut found: Vec<DVector<f64>> = Vec::new();
-    for (_, state) in begun {
-        let is_same = |other: &DVector<f64>| are_same(model, (&state, other));
+    let mut found: Vec<(f64, DVector<f64>)> = Vec::new();
+    for (squares, state) in begun {
+        let is_same = |(_, other): &(f64, DVector<f64>)| are_same(model, (&state, other));
         if found.len() < FIRST_PART.1 && !found.iter().any(is_same) {
-            found.push(state);
+            found.push((squares, state));
         }
     }
     found

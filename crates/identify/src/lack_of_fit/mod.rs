@@ -140,16 +140,19 @@ impl LackOfFit {
                     })
                 });
         let largest_misfits = largest_misfits.collect();
-        let (mut squares, mut points) = (0.0, 0.0);
-        for series in series
-            .iter()
-            .flat_map(|flight| flight.series.iter().flatten())
-        {
-            squares += series.sides.iter().map(|r| r * r).sum::<f64>();
-            points += series.sides.len() as f64;
+        let (mut squares, mut by_noise, mut points) = (0.0, 0.0, 0.0);
+        for flight in series {
+            for (channel, axes) in flight.series.iter().enumerate() {
+                for (series, sigma) in axes.iter().zip(floor.noise.of(channel).sigma) {
+                    let count = series.sides.len() as f64;
+                    squares += series.sides.iter().map(|r| r * r).sum::<f64>();
+                    by_noise += count * sigma * sigma;
+                    points += count;
+                }
+            }
         }
-        let noise_m = floor.noise.overall();
-        let beyond = squares / f64::max(points, 1.0) - noise_m * noise_m;
+        let noise_m = (by_noise / f64::max(points, 1.0)).sqrt();
+        let beyond = (squares - by_noise) / f64::max(points, 1.0);
         Self {
             p_value,
             flights: p_values

@@ -47,7 +47,7 @@ pub fn check(
     Some(fault((sensor, channel, instrument), &meaning, is_alone))
 }
 
-/// The simplest of the best meanings, and whether no other is as simple, if it is clearly better than the first.
+/// The simplest of the best meanings, and whether no other is as good, if it is clearly better than the first.
 fn clearly_best(
     meanings: Vec<Meaning>,
     misfit: impl Fn(&Meaning) -> f64,
@@ -61,10 +61,7 @@ fn clearly_best(
     let good = each.filter(|(_, misfit)| **misfit <= AS_GOOD * least);
     let mut good = good.map(|(meaning, _)| meaning);
     let best = good.next()?;
-    let is_alone = good
-        .next()
-        .is_none_or(|next| next.changes() > best.changes());
-    Some((*best, is_alone))
+    Some((*best, good.next().is_none()))
 }
 
 fn fault(

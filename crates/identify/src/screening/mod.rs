@@ -1,6 +1,7 @@
 //! Screening of a dataset for mistakes that a fit cannot recover from, by distances between markers, poses and free
 //! fall, without the aerodynamic model.
 
+mod copies;
 mod distances;
 mod free_fall;
 mod handling;
@@ -25,6 +26,7 @@ mod units;
 use flight::parallel;
 
 use self::free_fall::FreeFall;
+pub(crate) use self::signed_axes::SignedAxes;
 use self::track::Track;
 pub(crate) use self::units::OtherUnit;
 use crate::error::{DataFault, ExcludedFlight, FaultKind, FlightError};
@@ -102,6 +104,7 @@ fn screen_tracks(
     let (of_flights, contacts): (Vec<_>, Vec<Option<ContactSearch>>) = each.into_iter().unzip();
     let (mut faults, mut tracks): (Vec<_>, Vec<_>) = of_flights.into_iter().unzip();
     reject_noisy_tracks(dataset, &mut faults, &mut tracks);
+    copies::reject(dataset, &mut faults, &mut tracks, threads);
     let faults = compare_flights((problem, dataset), is_rigid, (faults, &tracks), threads);
     for (track, flight) in tracks.iter_mut().zip(&dataset.flights) {
         let is_faulty = faults.iter().any(|fault| fault.file == flight.file);

@@ -68,3 +68,35 @@ fn each_marker_of_a_point_mass_has_its_own_offset() {
     assert!(fitted.report.rms() < 0.002, "rms {}", fitted.report.rms());
     assert_eq!(start.len(), state.len());
 }
+
+/// Cautions of the fit of balls with a known side spin that the model lifts, whose coordinates x are multiplied by `x`.
+fn cautions_of_spinning_balls(x: f64) -> Vec<String> {
+    let mut model = model_spec::load::load("ball", &["magnus"]).expect("a model");
+    let lift = model.coefficients.iter_mut().find(|own| own.name == "C_Lw");
+    lift.expect("the lift by the spin").value = 0.8;
+    let omega = model.inputs.iter_mut().find(|own| own.name == "omega");
+    omega.expect("the spin").value = [0.0, 0.0, 250.0];
+    let text = flight::release::built_in("serve").expect("a release");
+    let known = |_: &str| Ok(flight::release::Vocabulary::of(&model));
+    let release = flight::release::read("serve", text, known).expect("readable");
+    let plan = Plan {
+        flights: 4,
+        ..Plan::default()
+    };
+    let mut dataset = flights(&model, &[release], &plan).expect("flights").dataset;
+    let rows = dataset
+        .flights
+        .iter_mut()
+        .flat_map(|own| &mut own.positions);
+    rows.flatten().flatten().for_each(|point| point[0] *= x);
+    let fitted = fit(&model, &dataset, &FitOptions::default()).expect("a fit");
+    fitted.report.cautions
+}
+
+#[test]
+fn left_handed_axes_of_a_point_are_told_where_a_known_spin_contradicts_them() {
+    assert_eq!(cautions_of_spinning_balls(1.0), Vec::<String>::new());
+    let told = cautions_of_spinning_balls(-1.0);
+    let is_own = |own: &String| own.starts_with("C_Lw") && own.contains("left-handed");
+    assert!(told.iter().any(is_own), "{told:?}");
+}

@@ -6,6 +6,8 @@ mod arrival;
 mod bootstrap;
 mod constrained;
 mod known_and_markers;
+mod marker_noise;
+mod near_copies;
 mod planar;
 mod single_flights;
 mod summaries;

@@ -1,5 +1,6 @@
 //! Reader of tables with one header line that names every column: points, poses, and files of DLTdv8.
 
+use crate::takes::clock_time;
 use crate::takes::columns::Quantity;
 use crate::takes::neighbours::{columns_of, euler};
 use crate::takes::{
@@ -27,7 +28,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
         let expected = "a header that names the columns";
         return Err(Fault::new(Location::Line(1), "no header", expected));
     }
-    let header = Header::new(&sheet)?;
+    let (header, width) = (Header::new(&sheet)?, sheet.filled());
     let line = Location::Line(sheet.line());
     if format == Format::Dltdv {
         // Every name must be one that DLTdv8 writes.
@@ -42,13 +43,14 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
         }
     }
     let mut notes = Vec::new();
-    let clock = header.clock(line, options, &mut notes)?;
+    sheet.require("a header and no rows", "at least one sample")?;
+    let clock = header.clock((&sheet, line), options, &mut notes)?;
     let length = options.length(header.length, line, &mut notes)?;
     if !header.others.is_empty() {
         let names = listed(&header.others);
         notes.push(format!("columns that are not read: {names}"));
     }
-    let mut layout = Layout::new(format, clock, length, sheet.filled());
+    let mut layout = Layout::new(format, clock, length, width);
     layout.notes = notes;
     for (label, track) in header.tracks.list {
         let label = Some(label).filter(|label| !label.is_empty());
@@ -80,7 +82,6 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
         let expected = "columns qw, qx, qy and qz of at least one pose";
         return Err(Fault::new(line, "no quaternion", expected));
     }
-    sheet.require("a header and no rows", "at least one sample")?;
     layout.samples(&mut sheet, |_| false)
 }
 
@@ -146,13 +147,17 @@ impl Header {
         Ok(())
     }
 
+    /// Source of the times. `sheet` is at the first row, `line` is that of the header.
     fn clock(
         &self,
-        line: Location,
+        (sheet, line): (&Sheet<'_>, Location),
         options: &ReadOptions,
         notes: &mut Vec<String>,
     ) -> Result<Clock, Fault> {
         match (self.time, self.frame) {
+            (Some((index, _)), _) if clock_time::seconds(sheet.cell(index)).is_some() => {
+                Ok(Clock::Column(index, TimeUnit::Second.seconds()))
+            }
             (Some((index, unit)), _) => match options.time.or(unit) {
                 Some(chosen) => {
                     if unit.is_some_and(|unit| unit != chosen) {

@@ -9,6 +9,7 @@ mod vicon;
 use std::path::Path;
 
 use crate::takes::commented::with_bare_header;
+use crate::takes::two_headers::joined;
 use crate::takes::{Fault, Format, Location, ReadOptions, Take, TakeError};
 
 /// Maximum size of a recording file, bytes.
@@ -44,7 +45,7 @@ fn checked(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
             Format::Vicon => vicon::read(&text, options)?,
             Format::Qualisys | Format::QualisysPoses => qualisys::read(&text, format, options)?,
             Format::OptiTrack => optitrack::read(&text, options)?,
-            _ => header::read(&with_bare_header(text), format, options)?,
+            _ => header::read(&joined(with_bare_header(text)), format, options)?,
         }
     };
     let points = take.points.iter().flat_map(|point| &point.positions);

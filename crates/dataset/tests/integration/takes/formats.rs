@@ -3,12 +3,12 @@
 use super::support::{self, LABELS, RATE, SAMPLES, attitude, read, truth};
 use dataset::takes::{Axis, Format, LengthUnit, ReadOptions, Take, TimeUnit};
 
-fn options() -> ReadOptions {
+pub fn options() -> ReadOptions {
     ReadOptions::default()
 }
 
 #[track_caller]
-fn has_times(take: &Take, start: f64) {
+pub fn has_times(take: &Take, start: f64) {
     assert_eq!(take.times.len(), SAMPLES);
     for (sample, time) in take.times.iter().enumerate() {
         assert!((time - start - sample as f64 / RATE).abs() < 1e-9, "{time}");
@@ -28,7 +28,7 @@ fn is_near(found: Option<[f64; 3]>, wanted: Option<[f64; 3]>, what: &str) {
 }
 
 #[track_caller]
-fn has_points(take: &Take, labels: &[&str]) {
+pub fn has_points(take: &Take, labels: &[&str]) {
     let found: Vec<&str> = take
         .points
         .iter()

@@ -3,6 +3,7 @@
 mod broken;
 mod clean;
 mod formats;
+mod headers;
 mod mutated;
 mod real_c3d;
 mod support;

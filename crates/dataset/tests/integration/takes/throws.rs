@@ -2,7 +2,13 @@
 
 use super::support::read;
 use super::support::thrown::{End, Made, recording};
-use dataset::takes::{Axis, Cause, ReadOptions, Take, ThrowOptions, find_throws};
+use std::path::Path;
+
+use dataset::Marker;
+use dataset::takes::{
+    Axis, Cause, ImportOptions, ImportedTake, LengthUnit, ReadOptions, Take, ThrowOptions,
+    find_throws,
+};
 
 /// Maximum permitted error of a detected release or end of a flight, samples.
 const WITHIN: f64 = 3.0;
@@ -160,4 +166,54 @@ fn a_long_gap_ends_a_flight_and_a_short_one_does_not() {
     assert!(
         matches!(first.end.cause, Cause::Gap(_)) && matches!(second.release.cause, Cause::Gap(_))
     );
+}
+
+#[test]
+fn a_wrong_unit_of_length_is_told() {
+    // A ball that is held and thrown, `scale` units a metre.
+    let thrown = |scale: f64| {
+        let mut text = "t_s,m_x,m_y,m_z\n".to_owned();
+        for i in 0..240 {
+            let t = (f64::from(i) - 80.0) / 200.0;
+            let noise = 0.0005 * (f64::from(i) * 12.9898).sin();
+            let [x, z] = match t < 0.0 {
+                true => [0.0, 1.5],
+                false => [6.0 * t, 1.5 + 2.0 * t - 4.905 * t * t],
+            };
+            let [x, y, z] = [x + noise, 0.2 - noise, z + noise].map(|own| scale * own);
+            text += &format!("{},{x},{y},{z}\n", f64::from(i) / 200.0);
+        }
+        text
+    };
+    let options = ImportOptions {
+        markers: vec![Marker {
+            name: "m".into(),
+            position: [0.0; 3],
+        }],
+        up: Axis::parse("+z"),
+        ..ImportOptions::default()
+    };
+    let imported = |scale: f64, length: LengthUnit| {
+        let reading = ReadOptions {
+            length: Some(length),
+            ..ReadOptions::default()
+        };
+        let take = read(thrown(scale).as_bytes(), &reading).expect("a take");
+        let imported = ImportedTake::new(&take, Path::new("take.csv"), &options);
+        imported
+            .map(|take| take.throws.len())
+            .map_err(|error| error.to_string())
+    };
+    assert_eq!(imported(1e3, LengthUnit::Millimetre), Ok(1));
+    for (scale, wrong, right) in [
+        (1e3, LengthUnit::Metre, "mm"),
+        (1.0, LengthUnit::Millimetre, "m"),
+        (1.0 / 0.0254, LengthUnit::Metre, "in"),
+    ] {
+        let told = imported(scale, wrong).expect_err(right);
+        assert!(
+            told.ends_with(&format!("expected --length {right}")),
+            "{told}"
+        );
+    }
 }

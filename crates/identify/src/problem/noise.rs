@@ -1,0 +1,49 @@
+//! Noise groups of the channels of a problem, and the noise of each group by the residuals.
+
+use super::FitProblem;
+use crate::noise::{AxesNoise, Moments, NoiseModel, group_count};
+
+impl FitProblem {
+    /// Noise group of each channel; the channels of a group have common noise parameters.
+    pub fn noise_groups(&self) -> Vec<usize> {
+        self.channels.iter().map(|channel| channel.group).collect()
+    }
+
+    /// Noise of each group by `moments` after a fit of `unknowns` unknowns, for a sampling interval in s; given
+    /// standard deviations replace the estimated ones.
+    pub fn noise_of(&self, moments: &[Moments], unknowns: usize, interval: f64) -> NoiseModel {
+        let all: usize = moments.iter().map(|sum| sum.count).sum();
+        let groups = moments.iter().enumerate().map(|(group, sum)| {
+            let of_group = self.channels.iter().find(|channel| channel.group == group);
+            let given = of_group.and_then(|channel| Some(channel.sigma? * channel.scale));
+            // The unknowns are distributed over the groups in proportion to their residuals.
+            let unknowns = (unknowns * sum.count).div_ceil(all.max(1));
+            sum.noise(unknowns, interval, given)
+        });
+        NoiseModel::of_groups(groups.collect(), self.noise_groups())
+    }
+
+    /// Creates empty sums of squares and products of residuals, one `Moments` for each noise group.
+    pub fn no_moments(&self) -> Vec<Moments> {
+        vec![Moments::default(); group_count(&self.noise_groups())]
+    }
+
+    /// Noise of the positions together, or of all channels without positions: by axis, the root mean square of their
+    /// standard deviations, m, and the mean of their autocorrelations.
+    pub fn position_noise(&self, noise: &NoiseModel) -> AxesNoise {
+        let scored = (0..self.channels.len()).filter(|channel| self.is_scored(*channel));
+        let count = scored.clone().count().max(1) as f64;
+        let mean = |of: &dyn Fn(&AxesNoise) -> f64| {
+            scored
+                .clone()
+                .map(|channel| of(noise.of(channel)))
+                .sum::<f64>()
+                / count
+        };
+        AxesNoise {
+            sigma: [0, 1, 2].map(|axis| mean(&|own| own.sigma[axis].powi(2)).sqrt()),
+            ar1: [0, 1, 2].map(|axis| mean(&|own| own.ar1[axis])),
+            interval: noise.interval,
+        }
+    }
+}
