@@ -206,6 +206,34 @@ fn right_models_of_the_gallery_hold_and_wrong_ones_are_refuted_by_their_balances
     }
 }
 
+/// Balances make up for a claimed body where they determine every equation, and not where one of them lacks, or names
+/// what follows from the equations.
+#[test]
+fn balances_verify_only_what_they_determine() {
+    let moment = "claim der(in_N(H) - to_contact × mv) = to_contact × (m*g*N.3) - (turning × to_contact) × mv;";
+    let balance = "claim der((x, y, a*sin(theta)) in N) = in_N(v);";
+    let of_equations = "claim der((x, y, a*sin(theta)) in N) = (der(x), der(y), in_N(v).3) in N;";
+    for (from, to, expected) in [
+        ("", "", true),
+        (moment, "", false),
+        (balance, of_equations, false),
+    ] {
+        let text = gallery("euler_disc");
+        assert!(text.contains(from));
+        let model = load(&text.replace(from, to));
+        assert_eq!(balances::determine_all_rates(&model), expected, "{to}");
+    }
+    for name in [
+        "double_pendulum",
+        "falling_plate",
+        "spinning_top",
+        "tethered_kite",
+    ] {
+        let determined = balances::determine_all_rates(&load(&gallery(name)));
+        assert!(determined, "{name}");
+    }
+}
+
 /// A block that determines its unknown nowhere is found out before any other check, and soon.
 #[test]
 fn a_block_that_is_singular_everywhere_is_refuted() {
