@@ -1,6 +1,6 @@
 //! Subject of a verification: a model, and its equations of motion as functions that can be evaluated.
 
-use crate::checks::balances;
+use crate::balance_rank;
 use crate::options::TOLERANCE;
 use crate::pairing::Pairing;
 use crate::row::Row;
@@ -142,7 +142,7 @@ impl<'a> Subject<'a> {
         if self.model.balances.is_empty() {
             return Row::unverified(check, "which state stands for what is not known");
         }
-        if balances::determine_all_rates(self.model) {
+        if balance_rank::determine_all_rates(self.model) {
             return Row::skipped(check, "the claimed balances determine every equation");
         }
         let why = "the claimed balances do not determine the rate of every state: claim further ones, such as of \
