@@ -28,9 +28,9 @@ impl DesignBuilder {
         self
     }
 
-    /// Sets the number of threads; by default that of the processors. The result does not depend on it.
+    /// Sets the number of threads, at least 1; by default that of the processors. The result does not depend on it.
     pub fn threads(mut self, threads: usize) -> Self {
-        self.search.threads = threads.max(1);
+        self.search.threads = threads;
         self
     }
 
@@ -38,7 +38,7 @@ impl DesignBuilder {
     ///
     /// # Errors
     /// [`Error::Throw`] if the body cannot be thrown; [`Error::UnknownName`] for a bound of an unknown quantity;
-    /// [`Error::Design`] if bounds are no range, or no throw within them can be flown to the ground.
+    /// [`Error::Design`] if bounds are no range, the number of threads is 0, or no throw within them can be flown to the ground.
     pub fn run(&self) -> Result<Design, Error> {
         let body = ThrownBody::new(self.model.checked().clone())?;
         let flights = body.with_parameters(body.compiled.layout().default_parameters());

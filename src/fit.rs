@@ -24,7 +24,7 @@ pub struct FitBuilder {
 }
 
 impl FitBuilder {
-    /// Fixes a coefficient at a value, SI.
+    /// Fixes a coefficient at a value, SI, within its bounds in the model unless the fit is [unbounded](Self::unbounded).
     pub fn fix(mut self, name: &str, value: f64) -> Self {
         self.fixed.push((name.to_owned(), Some(value)));
         self

@@ -186,6 +186,22 @@ pub fn depends_on_accelerations(model: &Model) -> Vec<bool> {
     depending_on(model, is_acceleration)
 }
 
+/// For each auxiliary variable, whether one of the expressions depends on it.
+pub fn needed(model: &Model, of: &[&Expr]) -> Vec<bool> {
+    let mut needed = vec![false; model.aux_variables.len()];
+    let mut open = of.to_vec();
+    while let Some(e) = open.pop() {
+        e.walk(&mut |part| {
+            if let ExprKind::AuxVariable(index) = part.kind
+                && !std::mem::replace(&mut needed[index], true)
+            {
+                open.push(&model.aux_variables[index].value);
+            }
+        });
+    }
+    needed
+}
+
 /// Whether a node is the specific force or the angular acceleration.
 pub(crate) fn is_acceleration(kind: &ExprKind) -> bool {
     matches!(

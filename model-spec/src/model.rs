@@ -44,6 +44,8 @@ pub struct Model {
     pub states: Vec<State>,
     /// Frames of reference, each after its parent. Frame 0 is inertial, with its third axis up.
     pub frames: Vec<Frame>,
+    /// Angles, rad, by which frames are turned for a whole flight: expressions of numbers, parameters and coefficients.
+    pub constant_angles: Vec<Expr>,
     /// The body whose equations of motion are derived; `None` if the model states every equation.
     pub body: Option<Body>,
     /// Functions given by tables, in order of declaration.
@@ -167,8 +169,8 @@ pub enum FrameKind {
     Fixed {
         /// Index into [`Model::frames`] of the parent frame.
         parent: usize,
-        /// The rotation angle.
-        angle: ConstantAngle,
+        /// Index into [`Model::constant_angles`] of the rotation angle, rad.
+        angle: usize,
         /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
         axis: u8,
     },
@@ -191,17 +193,6 @@ impl FrameKind {
             | FrameKind::Quaternion { parent, .. } => Some(parent),
         }
     }
-}
-
-/// An angle, rad, that is constant during a flight.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ConstantAngle {
-    /// The number, rad.
-    Number(f64),
-    /// A known constant, by index into [`Model::params`].
-    Param(usize),
-    /// A coefficient, by index into [`Model::coefficients`].
-    Coefficient(usize),
 }
 
 /// The body whose equations of motion are derived from Newton's and Euler's laws.

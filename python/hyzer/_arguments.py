@@ -100,6 +100,18 @@ def _numbered(files: Mapping[Any, str]) -> bool:
     return any(isinstance(key, int) for key in files)
 
 
+def floats(values: Any) -> Any:
+    """Return columns of pandas that may be missing as numbers, NaN for a missing one.
+
+    Other values are returned as they are.
+    """
+    dtypes: Any = getattr(values, "dtypes", getattr(values, "dtype", None))
+    each: list[Any] = list(dtypes) if hasattr(dtypes, "__iter__") else [dtypes]
+    if not any(hasattr(dtype, "na_value") and hasattr(dtype, "_is_numeric") for dtype in each):
+        return values
+    return values.to_numpy(dtype=float, na_value=math.nan)
+
+
 def seconds(values: Any) -> Any:
     """Return times in seconds: differences of time as they are, dates from the first."""
     # Most of the time of `import hyzer` would be that of NumPy.

@@ -8,6 +8,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, cast
 
 from hyzer import _hyzer
+from hyzer._arguments import plain
+from hyzer._errors import InputError
 from hyzer._extras import extra
 from hyzer._records import Record
 
@@ -229,7 +231,14 @@ class Flight:
         -------
         View
             Displayed by notebooks; `str()` is the HTML of the page.
+
+        Raises
+        ------
+        InputError
+            If the height is not a number of pixels.
         """
+        if isinstance(height, bool) or not isinstance(plain(height), int) or height <= 0:
+            raise InputError(f"height: found {height!r}, expected a number of pixels above 0")
         page = self._native.view_html()
         if page is None:
             raise ValueError("the model has no body, which could be shown")

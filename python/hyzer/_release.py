@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, cast
 
 from hyzer import _hyzer, _toml
-from hyzer._arguments import is_path, mapping, plain, seconds
+from hyzer._arguments import floats, is_path, mapping, plain, seconds
 from hyzer._errors import InputError
 
 if TYPE_CHECKING:
@@ -209,10 +209,10 @@ def over_time(name: str, value: Any) -> float | Mapping[str, Any]:
     if isinstance(value, int | float) or not hasattr(value, "__len__"):
         return float(value)
     if hasattr(value, "iloc"):
-        value = (value.index, value.to_numpy())
+        value = (value.index, value)
     if len(value) != 2:
         raise InputError(
             f"inputs: {name} has {len(value)} parts, expected the times and the values"
         )
     t, values = value
-    return {"t": [*map(plain, seconds(t))], "value": [*map(plain, values)]}
+    return {"t": [*map(plain, seconds(t))], "value": [*map(plain, floats(values))]}

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, cast
 
 from hyzer import _hyzer, _toml
-from hyzer._arguments import file_of, mapping, names, plain, seconds, selected
+from hyzer._arguments import file_of, floats, mapping, names, plain, seconds, selected
 from hyzer._errors import InputError
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, st
         if endings is None:
             known = ", ".join(["t", *kinds])
             raise InputError(f"{file}: found the array {name!r}, expected one of {known}")
-        given = seconds(values) if name == "t" else values
+        given = floats(seconds(values) if name == "t" else values)
         columns.append((f"{file}: {name}", [name + ending for ending in endings], given))
     return _hyzer.table_text(columns)
 

@@ -69,6 +69,27 @@ def test_columns_of_frames_among_arrays_are_names() -> None:
         tables(frame[xyz].set_axis(["a", "b", "c"], axis=1))
 
 
+@pytest.mark.parametrize("dtype", ["Float64", "float64[pyarrow]"])
+def test_what_pandas_has_as_missing_is_missing(dtype: str) -> None:
+    frame = next(iter(FRAMES.values()))
+    nullable = frame.astype(dict.fromkeys(frame.columns, dtype))
+    nullable.iloc[10:20, 1] = pd.NA
+    expected = balls(frame.where(nullable.notna())).native.texts()
+    assert balls(nullable).native.texts() == expected
+    centre = nullable[["centre_x", "centre_y", "centre_z"]]
+    data = hyzer.Dataset.from_arrays({"flight01.csv": {"t": nullable.t, "centre": centre}}, **BALL)
+    found = data.to_pandas()["flight01.csv"].centre_x.isna()
+    assert found.tolist() == nullable.centre_x.isna().tolist()
+
+
+def test_a_view_has_a_height_in_pixels() -> None:
+    flight = DISC.fly("backhand")
+    assert "height:300px" in flight.view(np.int64(300))._repr_html_()
+    for height in ("a", 0, 2.5, True):
+        with pytest.raises(hyzer.InputError, match="height: found"):
+            flight.view(height)  # type: ignore[arg-type]
+
+
 def test_what_is_masked_is_missing() -> None:
     frame = FRAMES["flight01.csv"]
     xyz = frame[["centre_x", "centre_y", "centre_z"]].to_numpy()

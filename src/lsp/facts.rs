@@ -2,7 +2,7 @@
 
 use codegen::latex;
 use model_spec::model::{
-    ConstantAngle, Expr, ExprKind, FrameKind, Function, Load, Model, Parameter, Shape, Table,
+    Expr, ExprKind, FrameKind, Function, Load, Model, Parameter, Shape, Table,
 };
 use model_spec::with_unit;
 
@@ -105,11 +105,7 @@ pub fn of_frame(model: &Model, name: &str) -> Option<Facts> {
             angle,
             axis,
         } => {
-            let angle = match angle {
-                ConstantAngle::Number(angle) => with_unit(angle, "rad"),
-                ConstantAngle::Param(k) => model.params[k].name.clone(),
-                ConstantAngle::Coefficient(k) => model.coefficients[k].name.clone(),
-            };
+            let angle = model.text(model.constant_angles[angle].span);
             format!("{} turned {angle} about {axis}", frame(model, parent))
         }
         FrameKind::Quaternion { parent, states } => {

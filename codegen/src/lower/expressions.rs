@@ -169,7 +169,7 @@ impl Lowering<'_> {
         let value = match (self.evaluate(of), of.shape) {
             (Value::Vector(vector), Shape::Vector(from)) => Value::Vector(frames::reexpress(
                 &mut self.graph,
-                self.model,
+                &self.frames,
                 vector,
                 from,
                 0,
@@ -193,7 +193,7 @@ impl Lowering<'_> {
         match (changed, of.shape) {
             (Value::Vector(vector), Shape::Vector(to)) => Value::Vector(frames::reexpress(
                 &mut self.graph,
-                self.model,
+                &self.frames,
                 vector,
                 0,
                 to,
@@ -223,7 +223,7 @@ impl Lowering<'_> {
 
     fn in_frame(&mut self, vector: Vector, from: usize, shape: Shape) -> Vector {
         match shape {
-            Shape::Vector(to) => frames::reexpress(&mut self.graph, self.model, vector, from, to),
+            Shape::Vector(to) => frames::reexpress(&mut self.graph, &self.frames, vector, from, to),
             Shape::Scalar => vector,
         }
     }
@@ -241,7 +241,7 @@ impl Lowering<'_> {
         match model.body.as_ref().and_then(|body| body.rotation.as_ref()) {
             Some(rotation) => frames::angular_velocity(
                 &mut self.graph,
-                model,
+                &self.frames,
                 rotation.body_frame,
                 rotation.angular_velocity_frame,
             ),

@@ -3,8 +3,14 @@
 use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
-use model_spec::layout::Layout;
-use model_spec::model::{ConstantAngle, FrameKind, Model};
+use model_spec::model::{FrameKind, Model};
+
+/// Frames of a model, with the nodes of the angles that turn some of them.
+pub(crate) struct Frames<'a> {
+    pub model: &'a Model,
+    /// Nodes of [`Model::constant_angles`].
+    pub constant_angles: Vec<NodeId>,
+}
 
 /// Graph nodes of the three components of a vector in one coordinate frame.
 pub type Vector = [NodeId; 3];
@@ -63,29 +69,35 @@ pub fn path(model: &Model, frame: usize) -> Vec<usize> {
 /// Transforms the components of a vector from frame `from` to frame `to`.
 pub fn reexpress(
     graph: &mut ExprGraph,
-    model: &Model,
+    frames: &Frames<'_>,
     vector: Vector,
     from: usize,
     to: usize,
 ) -> Vector {
-    let (up, down) = (path(model, from), path(model, to));
+    let (up, down) = (path(frames.model, from), path(frames.model, to));
     let common = up.iter().zip(&down).take_while(|(a, b)| a == b).count();
     let mut vector = vector;
     for &frame in up[common..].iter().rev() {
-        vector = turn(graph, model, vector, frame, true);
+        vector = turn(graph, frames, vector, frame, true);
     }
     for &frame in &down[common..] {
-        vector = turn(graph, model, vector, frame, false);
+        vector = turn(graph, frames, vector, frame, false);
     }
     vector
 }
 
 /// Transforms the components `v` of a vector from `frame` to its parent if `up`, else from the parent to `frame`.
-pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: bool) -> Vector {
-    match model.frames[frame].kind {
+pub fn turn(
+    graph: &mut ExprGraph,
+    frames: &Frames<'_>,
+    v: Vector,
+    frame: usize,
+    up: bool,
+) -> Vector {
+    match frames.model.frames[frame].kind {
         FrameKind::Inertial => v,
         FrameKind::Turned { axis, .. } | FrameKind::Fixed { axis, .. } => {
-            let angle = angle(graph, model, frame);
+            let angle = angle(graph, frames, frame);
             let (sin, cos) = (
                 graph.call(MathFunction::Sin, angle),
                 graph.call(MathFunction::Cos, angle),
@@ -118,20 +130,12 @@ pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: b
 }
 
 /// Angle, rad, by which a frame is turned about an axis of its parent; 0 for other frames.
-fn angle(graph: &mut ExprGraph, model: &Model, frame: usize) -> NodeId {
-    let layout = || Layout::new(model);
-    let symbol = match model.frames[frame].kind {
-        FrameKind::Turned { angle, .. } => Symbol::State(angle as u32),
-        FrameKind::Fixed { angle, .. } => match angle {
-            ConstantAngle::Number(value) => return graph.number(Number::literal(value, None)),
-            ConstantAngle::Param(k) => Symbol::Parameter(layout().param(k).index() as u32),
-            ConstantAngle::Coefficient(k) => {
-                Symbol::Parameter(layout().coefficient(k).index() as u32)
-            }
-        },
-        FrameKind::Inertial | FrameKind::Quaternion { .. } => return graph.whole(0),
-    };
-    graph.symbol(symbol)
+fn angle(graph: &mut ExprGraph, frames: &Frames<'_>, frame: usize) -> NodeId {
+    match frames.model.frames[frame].kind {
+        FrameKind::Turned { angle, .. } => graph.symbol(Symbol::State(angle as u32)),
+        FrameKind::Fixed { angle, .. } => frames.constant_angles[angle],
+        FrameKind::Inertial | FrameKind::Quaternion { .. } => graph.whole(0),
+    }
 }
 
 /// Rotation matrix, by row, of a unit quaternion, to the parent frame.
@@ -159,14 +163,20 @@ fn quaternion_matrix(graph: &mut ExprGraph, states: [usize; 4]) -> [Vector; 3] {
 }
 
 /// Angular velocity of frame `of` relative to the inertial frame, rad/s; components in frame `within`.
-pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within: usize) -> Vector {
+pub fn angular_velocity(
+    graph: &mut ExprGraph,
+    frames: &Frames<'_>,
+    of: usize,
+    within: usize,
+) -> Vector {
+    let model = frames.model;
     let chain = path(model, of);
     // with a quaternion attitude, the angular velocity is a state
     if let Some(rotation) = model.body.as_ref().and_then(|body| body.rotation.as_ref())
         && let Some((states, frame)) = rotation.angular_velocity
     {
         let spin = states.map(|state| graph.symbol(Symbol::State(state as u32)));
-        let mut spin = reexpress(graph, model, spin, frame, within);
+        let mut spin = reexpress(graph, frames, spin, frame, within);
         let body_chain = path(model, rotation.body_frame);
         let shared = chain
             .iter()
@@ -179,11 +189,11 @@ pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within:
         };
         if through(&chain[..shared]) {
             for &frame in &body_chain[shared..] {
-                let relative = turning(graph, model, frame, within);
+                let relative = turning(graph, frames, frame, within);
                 spin = sub(graph, spin, relative);
             }
             for &frame in &chain[shared..] {
-                let relative = turning(graph, model, frame, within);
+                let relative = turning(graph, frames, frame, within);
                 spin = add(graph, spin, relative);
             }
             return spin;
@@ -195,26 +205,26 @@ pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within:
     // from the inertial frame down, each rate is added along a coordinate axis
     for &frame in &chain[1..] {
         if passed {
-            let relative = turning(graph, model, frame, within);
+            let relative = turning(graph, frames, frame, within);
             total = add(graph, total, relative);
             continue;
         }
-        let relative = turning(graph, model, frame, at);
+        let relative = turning(graph, frames, frame, at);
         total = add(graph, total, relative);
-        total = turn(graph, model, total, frame, false);
+        total = turn(graph, frames, total, frame, false);
         at = frame;
         passed = at == within;
     }
     if passed {
         total
     } else {
-        reexpress(graph, model, total, at, within)
+        reexpress(graph, frames, total, at, within)
     }
 }
 
 /// Angular velocity, rad/s, of a frame relative to its parent, in `within`; zero if its rate is no state.
-fn turning(graph: &mut ExprGraph, model: &Model, frame: usize, within: usize) -> Vector {
-    match model.frames[frame].kind {
+fn turning(graph: &mut ExprGraph, frames: &Frames<'_>, frame: usize, within: usize) -> Vector {
+    match frames.model.frames[frame].kind {
         FrameKind::Turned {
             parent,
             rate: Some(rate),
@@ -224,7 +234,7 @@ fn turning(graph: &mut ExprGraph, model: &Model, frame: usize, within: usize) ->
             let rate = graph.symbol(Symbol::State(rate as u32));
             let unit = axis(graph, k);
             let along = scale(graph, rate, unit);
-            reexpress(graph, model, along, parent, within)
+            reexpress(graph, frames, along, parent, within)
         }
         _ => zero(graph),
     }

@@ -35,10 +35,10 @@ impl Lowering<'_> {
         }
         let rest = [0, 1, 2].map(|i| frames::sub(graph, given[i], steady[i]));
         // R K Rᵀ: transforms the columns, then the rows.
-        let columns = transpose(rest).map(|v| frames::reexpress(graph, model, v, from, to));
-        let rest = transpose(columns).map(|v| frames::reexpress(graph, model, v, from, to));
-        let own = frames::angular_velocity(graph, model, from, to);
-        let other = frames::angular_velocity(graph, model, to, to);
+        let columns = transpose(rest).map(|v| frames::reexpress(graph, &self.frames, v, from, to));
+        let rest = transpose(columns).map(|v| frames::reexpress(graph, &self.frames, v, from, to));
+        let own = frames::angular_velocity(graph, &self.frames, from, to);
+        let other = frames::angular_velocity(graph, &self.frames, to, to);
         Turned {
             whole: [0, 1, 2].map(|i| frames::add(graph, steady[i], rest[i])),
             rest,

@@ -10,12 +10,12 @@ mod systems;
 mod typical;
 
 use crate::graph::{ExprGraph, NodeId, Symbol};
-use crate::layout::Layout;
+use crate::layout::{Layout, needed};
 use crate::table::Tables;
-use frames::Vector;
+use frames::{Frames, Vector};
 use model_spec::diagnostic::Span;
 use model_spec::location::trimmed_line;
-use model_spec::model::{ExprKind, Model};
+use model_spec::model::{Expr, ExprKind, Model};
 use std::collections::HashSet;
 
 /// Provenance of a named node: name and source location in the model text.
@@ -68,6 +68,7 @@ impl Value {
 
 pub(crate) struct Lowering<'a> {
     pub(crate) model: &'a Model,
+    pub(crate) frames: Frames<'a>,
     pub(crate) graph: ExprGraph,
     pub(crate) layout: Layout,
     pub(crate) lets: Vec<Value>,
@@ -90,6 +91,10 @@ pub fn lower(model: &Model) -> Lowered {
     let varying = layout.varying.iter().map(|id| id.index() as u32);
     let mut lowering = Lowering {
         model,
+        frames: Frames {
+            model,
+            constant_angles: Vec::new(),
+        },
         graph: ExprGraph::with_tables(Tables::of_model(model), varying.collect()),
         layout,
         lets: Vec::new(),
@@ -101,6 +106,7 @@ pub fn lower(model: &Model) -> Lowered {
         recorded: HashSet::new(),
     };
     lowering.leaves();
+    lowering.constant_angles();
     lowering.assumptions();
     lowering.systems();
     let of_motion = crate::layout::depends_on_accelerations(model);
@@ -200,6 +206,21 @@ impl Lowering<'_> {
         for k in 0..self.layout.parameters.len() {
             self.graph.symbol(Symbol::Parameter(k as u32));
         }
+    }
+
+    /// Lowers the angles by which frames are turned, which stand before all that depends on frames.
+    fn constant_angles(&mut self) {
+        let model = self.model;
+        let angles: Vec<&Expr> = model.constant_angles.iter().collect();
+        for (quantity, is_needed) in model.aux_variables.iter().zip(needed(model, &angles)) {
+            let value = match is_needed {
+                true => self.evaluate(&quantity.value),
+                false => Value::Scalar(self.graph.whole(0)),
+            };
+            self.lets.push(value);
+        }
+        self.frames.constant_angles = angles.iter().map(|angle| self.scalar(angle)).collect();
+        self.lets.clear();
     }
 
     /// Marks the mass, and what limits keep above 0, as nonzero, unless they use auxiliary variables.

@@ -183,6 +183,37 @@ fn at_random_states() {
     }
 }
 
+/// Coefficients that turn frames have columns of ∂f/∂p, through what is computed from them too.
+#[test]
+fn of_frames_that_are_turned_by_expressions_of_coefficients() {
+    let text = "model winged; param m = 0.2 kg; param I = 2.4e-3 kg*m^2; param g = 9.81 m/s^2;
+        coefficient i_w = 2 deg in -10 .. 10; coefficient d = 1 deg in -10 .. 10; param tilt = 2*i_w;
+        frame N; frame C = N by quaternion (q0, q1, q2, q3);
+        frame W = C turned tilt about 2; frame L = W turned i_w + d about 3;
+        body winged { mass m; inertia diag(I, I, I) in C; fixed in C; position (x, y, z) in N;
+          velocity (u, v, w) in C; angular velocity (p, q, r) in C; }
+        force weight = -m*g*N.3; force lift = -0.04 [kg/m]*norm(velocity)*in_L(velocity).1*L.3;
+        marker mark in C; observe mark = position + in_N(mark);";
+    let model = model_spec::load::from_text("winged.hyz", text, &[]);
+    let compiled = compile(&model.unwrap_or_else(|error| panic!("{error}")));
+    let mut random = Random(7);
+    for _ in 0..20 {
+        let (x, p) = point(&compiled, &mut random);
+        check(&compiled, &x, &p);
+    }
+    let column = |name: &str| {
+        let names = &compiled.layout.parameters;
+        names.iter().position(|own| own == name).expect("a name") as u32
+    };
+    let pattern = compiled.f_jac_par.pattern("jp");
+    for name in ["i_w", "d"] {
+        assert!(
+            pattern.iter().any(|&(_, own)| own == column(name)),
+            "{name}"
+        );
+    }
+}
+
 #[test]
 fn at_singular_states() {
     for name in support::models() {

@@ -85,6 +85,14 @@ pub enum FlightError {
         /// Least and greatest value of the input, SI.
         bounds: (f64, f64),
     },
+    /// An input that is given over time is to be estimated as one number for all flights.
+    #[error(
+        "the input {name} is given over time, and it is to be estimated as one number for all flights: the effect bias_of_{name} estimates an error of its samples"
+    )]
+    RecordedAndEstimated {
+        /// Name of the input.
+        name: String,
+    },
     /// A parameter is both known for one flight and estimated for all flights.
     #[error("{name} is given as known, and it is to be estimated for all flights")]
     KnownAndEstimated {

@@ -7,6 +7,7 @@ use dataset::{Dataset, Flight};
 use flight::{InputSeries, InputsOverTime};
 
 use crate::error::FlightError;
+use crate::numbers::significant;
 use crate::problem::FitProblem;
 use crate::wording::names;
 
@@ -20,6 +21,9 @@ const NOTED_GAP: f64 = 3.5;
 /// Share of the bounds of an input by which a value may exceed them.
 const BOUND_ROUNDING: f64 = 1e-9;
 
+/// Share of the range of an input by which values between its samples may exceed its bounds without a note.
+const NOTED_OVERSHOOT: f64 = 1e-3;
+
 /// Number of samples from which a table is a recording, with gaps where samples are missing; fewer are the corners of a
 /// curve.
 const RECORDED: usize = 20;
@@ -29,7 +33,7 @@ const RECORDED: usize = 20;
 ///
 /// # Errors
 /// [`FlightError::UnknownInput`] for an input that the model lacks; [`FlightError::InputBounds`] for a value outside
-/// its bounds; [`FlightError::InputSpan`] for one that does not cover the flight.
+/// its bounds; [`FlightError::RecordedAndEstimated`] for one that is estimated for all flights; [`FlightError::InputSpan`] for one that does not cover the flight.
 pub fn of_flight(
     problem: &FitProblem,
     flight: &Flight,
@@ -48,6 +52,9 @@ pub fn of_flight(
                     .collect(),
             });
         };
+        if problem.globals.iter().any(|global| global.param == id) {
+            return Err(FlightError::RecordedAndEstimated { name: name.clone() });
+        }
         let declared = problem.model.params.get(id.index());
         if let Some(bounds) = declared.and_then(|own| own.bounds)
             && let Some((time, value)) = outside(series, bounds)
@@ -58,6 +65,17 @@ pub fn of_flight(
                 time,
                 bounds,
             });
+        }
+        if let Some(bounds) = declared.and_then(|own| own.bounds)
+            && let Some((time, value)) = overshoot(series, bounds)
+        {
+            notes.push(format!(
+                "the input {name} is {} at {time:.3} s, between its samples and beyond its bounds {} to {}: \
+                 interpolation = \"linear\" stays within",
+                significant(value, 3),
+                significant(bounds.0, 3),
+                significant(bounds.1, 3)
+            ));
         }
         let given = series.span();
         let times: Vec<f64> = series.samples().map(|(t, _)| t).collect();
@@ -118,6 +136,19 @@ pub fn notes(problem: &FitProblem, dataset: &Dataset) -> Vec<String> {
         })
     });
     each.collect()
+}
+
+/// Value between samples, with its time in s, that is farthest beyond `bounds`; `None` if all are within.
+fn overshoot(series: &InputSeries, (least, greatest): (f64, f64)) -> Option<(f64, f64)> {
+    let slack = NOTED_OVERSHOOT * (greatest - least);
+    let beyond = |value: f64| (value - greatest).max(least - value);
+    let farthest = series
+        .extremes()
+        .fold(None, |most: Option<(f64, f64)>, own| {
+            let is_farther = most.is_none_or(|most| beyond(own.1) > beyond(most.1));
+            if is_farther { Some(own) } else { most }
+        });
+    farthest.filter(|own| beyond(own.1) > slack)
 }
 
 /// First sample (time in s, value) of an input that is not within `bounds`, but for the rounding of units.

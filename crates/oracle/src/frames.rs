@@ -3,7 +3,7 @@
 use crate::attitude::{Quaternion, unit};
 use crate::point::Point;
 use crate::scalar::{Field, Real};
-use model_spec::model::{ConstantAngle, FrameKind, Model};
+use model_spec::model::{FrameKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
 /// Axes and angular velocity of a coordinate frame at one instant.
@@ -26,8 +26,13 @@ pub struct ElementaryRotation<T> {
     pub rate: usize,
 }
 
-/// Computes the axes and angular velocities of all frames of a model.
-pub fn place_frames<T: Real>(model: &Model, point: &Point<T>) -> Vec<PlacedFrame<T>> {
+/// Computes the axes and angular velocities of all frames of a model; `constant_angles` are the values of
+/// [`Model::constant_angles`], rad.
+pub fn place_frames<T: Real>(
+    model: &Model,
+    point: &Point<T>,
+    constant_angles: &[T],
+) -> Vec<PlacedFrame<T>> {
     let states = &point.states;
     let mut placed: Vec<PlacedFrame<T>> = Vec::with_capacity(model.frames.len());
     for (index, frame) in model.frames.iter().enumerate() {
@@ -56,11 +61,7 @@ pub fn place_frames<T: Real>(model: &Model, point: &Point<T>) -> Vec<PlacedFrame
                 angle,
                 axis,
             } => {
-                let angle = match angle {
-                    ConstantAngle::Number(angle) => T::lit(angle),
-                    ConstantAngle::Param(index) => point.params[index],
-                    ConstantAngle::Coefficient(index) => point.coefficients[index],
-                };
+                let angle = constant_angles[angle];
                 let parent = placed[parent];
                 PlacedFrame {
                     axes: parent.axes * rotated(axis, angle.sin(), angle.cos()),

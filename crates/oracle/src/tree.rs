@@ -9,9 +9,10 @@ use crate::frames::{PlacedFrame, place_frames};
 use crate::point::Point;
 use crate::scalar::{Dual, Infinitesimals, Interpolant, Real, Surface, call};
 use crate::system::{Solved, eliminate};
-use model_spec::layout::depends_on_accelerations;
+use model_spec::layout::{depends_on_accelerations, needed};
 use model_spec::model::{Expr, ExprKind, Function, Load, Model, Shape, Table};
 use nalgebra::Vector3;
+use std::cell::OnceCell;
 
 /// Value of an expression: scalar or vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,6 +38,8 @@ pub struct Tree<'a, T> {
     unknowns: Vec<Vec<T>>,
     determinacies: Vec<f64>,
     tables: Vec<Lookup>,
+    /// Derivatives of the states of the body by its laws, with loads and without, once they are asked for.
+    body_rates: [OnceCell<Vec<T>>; 2],
     /// Number of the infinitesimals that are in use, by derivatives around this evaluation.
     level: usize,
 }
@@ -137,16 +140,23 @@ impl<'a, T: Real> Tree<'a, T> {
         unknowns: Vec<Vec<T>>,
         level: usize,
     ) -> Self {
-        Self {
+        let mut tree = Self {
             model,
             point,
-            frames: place_frames(model, point),
+            frames: Vec::new(),
             aux_variables: Vec::with_capacity(model.aux_variables.len()),
             unknowns,
             determinacies: Vec::new(),
             tables: model.tables.iter().map(Lookup::new).collect(),
+            body_rates: [OnceCell::new(), OnceCell::new()],
             level,
-        }
+        };
+        let angles: Vec<&Expr> = model.constant_angles.iter().collect();
+        tree.evaluate_for(&angles);
+        let angles: Vec<T> = angles.iter().map(|angle| tree.scalar(angle)).collect();
+        tree.aux_variables.clear();
+        tree.frames = place_frames(model, point, &angles);
+        tree
     }
 
     /// Derivative of an expression in the direction that `direct` gives to the point, as factors of an infinitesimal.
@@ -365,22 +375,6 @@ fn product<T: Real>(a: T, b: T) -> T {
 /// Euclidean norm of a vector; 0 with derivative 0 at the zero vector.
 pub fn norm<T: Real>(v: &Vector3<T>) -> T {
     v.dot(v).sqrt()
-}
-
-/// For each auxiliary variable, whether one of the expressions depends on it.
-fn needed(model: &Model, of: &[&Expr]) -> Vec<bool> {
-    let mut needed = vec![false; model.aux_variables.len()];
-    let mut open = of.to_vec();
-    while let Some(e) = open.pop() {
-        e.walk(&mut |part| {
-            if let ExprKind::AuxVariable(index) = part.kind
-                && !std::mem::replace(&mut needed[index], true)
-            {
-                open.push(&model.aux_variables[index].value);
-            }
-        });
-    }
-    needed
 }
 
 /// Solves a system of a model at a point: its equations are evaluated with dual numbers for their coefficients; `known` has the unknowns of the systems before it.

@@ -10,6 +10,7 @@
 //! Errors are relative to the sum of the magnitudes of the terms that make up a value (see
 //! [`oracle::scalar::ErrorBound`]), so cancellation neither hides a fault nor looks like one.
 
+pub mod balance_rank;
 pub mod checks;
 mod constrained;
 pub mod difference;

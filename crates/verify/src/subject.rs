@@ -1,5 +1,6 @@
 //! Subject of a verification: a model, and its equations of motion as functions that can be evaluated.
 
+use crate::balance_rank;
 use crate::options::TOLERANCE;
 use crate::pairing::Pairing;
 use crate::row::Row;
@@ -135,9 +136,18 @@ impl<'a> Subject<'a> {
         Row::unverified(check, why)
     }
 
-    /// Result of a check that needs the meaning of the states, for a model where it is unknown.
+    /// Result of a check that needs the meaning of the states, for a model where it is unknown: skipped if claimed
+    /// balances determine every equation, else unverified.
     pub fn without_meaning(&self, check: &'static str) -> Row {
-        Row::unverified(check, "which state stands for what is not known")
+        if self.model.balances.is_empty() {
+            return Row::unverified(check, "which state stands for what is not known");
+        }
+        if balance_rank::determine_all_rates(self.model) {
+            return Row::skipped(check, "the claimed balances determine every equation");
+        }
+        let why = "the claimed balances do not determine the rate of every state: claim further ones, such as of \
+                   positions by velocities and of the angular momentum";
+        Row::unverified(check, why)
     }
 
     /// The point with the coefficients of [`Self::extras`] and added states at their null and default values.

@@ -1,12 +1,14 @@
 //! Semantic checks of the frames of reference, which form a tree rooted at the inertial frame.
 
-use super::Checker;
+use super::body::zero;
 use super::scope::Symbol;
 use super::term::Term;
-use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN};
-use crate::model::{self, ConstantAngle, FrameKind};
+use super::{Checker, UnitOf};
+use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
+use crate::layout::{depending_on, depends};
+use crate::model::{self, Expr, ExprKind, FrameKind};
 use crate::suggest;
-use crate::syntax::ast::{self, Name, Quantity};
+use crate::syntax::ast::{self, Name};
 
 const MAX_FRAMES: usize = 100;
 
@@ -107,7 +109,7 @@ impl<'a> Checker<'a> {
                     parent,
                     angle,
                     axis,
-                } => self.fixed(parent, angle, *axis),
+                } => self.fixed(parent, *axis, angle.span),
                 ast::FrameKind::Quaternion { parent, states } => self.by_quaternion(parent, states),
             };
             if let Some(kind) = kind {
@@ -116,65 +118,27 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The constant or coefficient by which a frame is turned; `None` for a state.
-    pub fn constant_angle(&self, angle: &Name) -> Option<ConstantAngle> {
-        match self.scope.find(&angle.text)? {
-            Symbol::Param(index) => Some(ConstantAngle::Param(index)),
-            Symbol::Coefficient(index) => Some(ConstantAngle::Coefficient(index)),
-            _ => None,
-        }
-    }
-
-    fn fixed(&mut self, parent: &Name, angle: &Quantity, axis: u8) -> Option<FrameKind> {
+    /// A frame whose angle [`Checker::constant_angles`] resolves.
+    fn fixed(&mut self, parent: &Name, axis: u8, span: Span) -> Option<FrameKind> {
         let parent = self.scope.frame(&parent.text)?;
-        let measure = self.measure_or_one(angle.unit.as_ref())?;
-        if !measure.unit.is_pure() {
-            let message = format!(
-                "a frame is turned by an angle (rad) or a pure number, but {angle} is in {}",
-                measure.unit.explained()
-            );
-            return self.refuse(Diagnostic::new(Kind::Unit, angle.span, message));
-        }
+        let angle = self.model.constant_angles.len();
+        self.model.constant_angles.push(zero(span));
         Some(FrameKind::Fixed {
             parent,
-            angle: ConstantAngle::Number(measure.of(&angle.number).0),
+            angle,
             axis,
         })
     }
 
     fn turned(&mut self, parent: &Name, angle: &Name, axis: u8) -> Option<FrameKind> {
-        let parent = self.scope.frame(&parent.text)?;
-        if let Some(computed) = self.file.binding(&angle.text) {
-            let message = format!("`{}` turns a frame, but it is computed", angle.text);
-            let fault = Diagnostic::new(Kind::Frame, angle.span, message)
-                .label(computed.name.span, "computed here");
-            return self.refuse(fault.help(
-                "turn the frame by a state, a number, or a `param` or `coefficient` with a number of its own",
-            ));
-        }
-        if let Some(constant) = self.constant_angle(angle) {
-            let term = match constant {
-                ConstantAngle::Param(index) if self.model.params[index].varies => {
-                    let message = format!(
-                        "`{}` turns a frame, but it may change during a flight",
-                        angle.text
-                    );
-                    let fault = Diagnostic::new(Kind::Value, angle.span, message);
-                    return self.refuse(fault.help("turn the frame by a state or a constant"));
-                }
-                ConstantAngle::Param(index) => self.params[index].clone(),
-                ConstantAngle::Coefficient(index) => self.coefficients[index].clone(),
-                ConstantAngle::Number(_) => Term::one(),
-            };
-            return self.is_angle(angle, &term).then_some(FrameKind::Fixed {
-                parent,
-                angle: constant,
-                axis,
-            });
-        }
-        if let Some(symbol) = self.scope.find(&angle.text)
-            && !matches!(symbol, Symbol::State(_))
+        let symbol = self.scope.find(&angle.text);
+        if matches!(symbol, Some(Symbol::Param(_) | Symbol::Coefficient(_)))
+            || self.file.binding(&angle.text).is_some()
         {
+            return self.fixed(parent, axis, angle.span);
+        }
+        let parent = self.scope.frame(&parent.text)?;
+        if symbol.is_some_and(|own| !matches!(own, Symbol::State(_))) {
             self.no_state(angle);
             return None;
         }
@@ -189,6 +153,52 @@ impl<'a> Checker<'a> {
             rate,
             axis,
         })
+    }
+
+    /// Resolves the angles by which frames are turned for a whole flight.
+    pub fn constant_angles(&mut self) {
+        for frame in self.declared_frames() {
+            let index = self.scope.frame(&frame.name.text);
+            let kind = index.map(|index| self.model.frames[index].kind);
+            let Some(FrameKind::Fixed { angle, .. }) = kind else {
+                continue;
+            };
+            let resolved = match &frame.kind {
+                ast::FrameKind::Fixed { angle, .. } => self.constant_angle(angle),
+                ast::FrameKind::Turned { angle, .. } => {
+                    let (kind, span) = (ast::ExprKind::Name(angle.text.clone()), angle.span);
+                    self.constant_angle(&ast::Expr { kind, span })
+                }
+                _ => None,
+            };
+            if let Some(resolved) = resolved {
+                self.model.constant_angles[angle] = resolved;
+            }
+        }
+    }
+
+    fn constant_angle(&mut self, angle: &ast::Expr) -> Option<Expr> {
+        let typed = self.scalar(angle, "an angle by which a frame is turned")?;
+        if let UnitOf::Term(term) = &typed.unit
+            && !self.is_angle(&self.text(angle.span), angle.span, term)
+        {
+            return None;
+        }
+        // The components of a vector depend on the frames.
+        let is_vector = |kind: &ExprKind| matches!(kind, ExprKind::Components(_));
+        let of_vectors = depending_on(&self.model, is_vector);
+        let rule = if self.varying(&typed.expr).is_some() {
+            "may change during a flight"
+        } else if depends(&typed.expr, &of_vectors, &is_vector) {
+            "depends on a vector"
+        } else {
+            return Some(typed.expr);
+        };
+        let message = format!("`{}` turns a frame, but it {rule}", self.text(angle.span));
+        let fault = Diagnostic::new(Kind::Value, angle.span, message);
+        self.refuse(fault.help(
+            "turn the frame by a state, or by an expression of numbers, parameters and coefficients",
+        ))
     }
 
     fn by_quaternion(&mut self, parent: &Name, states: &[Name; 4]) -> Option<FrameKind> {
@@ -210,27 +220,26 @@ impl<'a> Checker<'a> {
             return None;
         };
         let term = self.states[index].clone();
-        self.is_angle(name, &term).then_some(index)
+        self.is_angle(&name.text, name.span, &term).then_some(index)
     }
 
-    /// Whether the unit of a name that turns a frame is that of an angle; reports another one.
-    fn is_angle(&mut self, name: &Name, term: &Term) -> bool {
-        if let Some(unit) = self.units.resolve(term).unit()
-            && !unit.is_pure()
-        {
+    /// Whether the unit of what turns a frame is that of an angle; reports another one.
+    fn is_angle(&mut self, text: &str, span: Span, term: &Term) -> bool {
+        let Some(unit) = self.units.resolve(term).unit() else {
+            return true;
+        };
+        if !unit.is_pure() {
             let message = format!(
-                "`{}` turns a frame and must be an angle (rad) or a pure number, but it is {}",
-                name.text,
+                "`{text}` turns a frame and must be an angle (rad) or a pure number, but it is {}",
                 self.described(term)
             );
-            let mut fault = Diagnostic::new(Kind::Unit, name.span, message);
-            if let Some(declared) = self.scope.place(&name.text) {
+            let mut fault = Diagnostic::new(Kind::Unit, span, message);
+            if let Some(declared) = self.scope.place(text) {
                 fault = fault.label(declared, format!("in {}", unit.explained()));
             }
             self.report(fault);
-            return false;
         }
-        true
+        unit.is_pure()
     }
 
     pub fn no_state(&mut self, name: &Name) {

@@ -221,6 +221,7 @@ impl<'a> Checker<'a> {
         self.declare();
         self.definitions();
         self.functions();
+        self.constant_angles();
         self.body();
         self.further_bodies();
         self.equations();

@@ -15,8 +15,47 @@ struct Size {
     terms: u64,
     /// Number of factors in each component after nested products are merged; a power counts as repeated factors.
     factors: u64,
-    /// Number of operations that compute it, those of the quantities that it is made of included.
-    operations: u64,
+    /// Number of operations that compute it and its first derivatives, those of the quantities that it is made of
+    /// included.
+    work: Work,
+}
+
+/// Derivatives within one another whose operations are counted one by one, as many as `der(partial(…))` of a `der(…)` has.
+const DERIVATIVES: usize = 3;
+
+/// Numbers of operations of an expression, of its derivative, of the derivative of that, and so on: an operation on a
+/// product of k factors has k terms in the derivative, a product of k factors each.
+#[derive(Clone, Copy, Default)]
+struct Work([u64; DERIVATIVES + 1]);
+
+impl Work {
+    /// Work of operations on products of so many factors.
+    fn of(operations: u64, factors: u64) -> Self {
+        let each = factors.max(OF_PRODUCT);
+        let mut work = [operations; DERIVATIVES + 1];
+        for k in 1..work.len() {
+            work[k] = work[k - 1].saturating_mul(each);
+        }
+        Work(work)
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Work(std::array::from_fn(|k| {
+            self.0[k].saturating_add(other.0[k])
+        }))
+    }
+
+    fn min(self, other: Self) -> Self {
+        Work(std::array::from_fn(|k| self.0[k].min(other.0[k])))
+    }
+
+    /// Work of the derivative of an expression with so many factors.
+    fn differentiated(self, factors: u64) -> Self {
+        let beyond = self.0[DERIVATIVES].saturating_mul(factors.max(OF_PRODUCT));
+        Work(std::array::from_fn(|k| {
+            self.0.get(k + 1).copied().unwrap_or(beyond)
+        }))
+    }
 }
 
 const ATOM: Size = Size::of(1, 1);
@@ -27,7 +66,7 @@ impl Size {
         Size {
             terms,
             factors,
-            operations: 0,
+            work: Work([0; DERIVATIVES + 1]),
         }
     }
 }
@@ -38,7 +77,7 @@ const OF_PRODUCT: u64 = 3;
 /// Sizes of the auxiliary variables and number of operations of the model, accumulated so far.
 struct Sizes {
     variables: Vec<Size>,
-    operations: u64,
+    work: Work,
     /// Those of derivatives of expressions among them.
     of_rates: u64,
     /// Number of frames, an upper bound of the number of rotations in a change of frame.
@@ -50,7 +89,7 @@ impl Checker<'_> {
         let model = &self.model;
         let mut sizes = Sizes {
             variables: Vec::with_capacity(model.aux_variables.len()),
-            operations: 0,
+            work: Work::default(),
             of_rates: 0,
             frames: model.frames.len() as u64,
         };
@@ -64,7 +103,7 @@ impl Checker<'_> {
         }
         for system in &model.systems {
             let unknowns = system.unknowns.len() as u64;
-            sizes.count(unknowns.pow(3) / 3);
+            sizes.count(Work::of(unknowns.pow(3) / 3, 2));
         }
         let mut statements = model.statements().into_iter();
         let fault = statements.find_map(|(_, name, value, span)| {
@@ -89,14 +128,14 @@ impl Sizes {
             );
             return Some(Diagnostic::new(Kind::Limit, span, message).note(help));
         }
-        (self.operations > MAX_OPERATIONS).then(|| {
+        (self.operations() > MAX_OPERATIONS).then(|| {
             // That of a block has its own marks.
             let name = name.trim_matches('`');
             let message = format!(
                 "with `{name}` the model has {} operations; at most {MAX_OPERATIONS} are possible",
-                shown(self.operations)
+                shown(self.operations())
             );
-            let help = match self.of_rates > self.operations / 2 {
+            let help = match self.of_rates > self.operations() / 2 {
                 true => {
                     "differentiate fewer and shorter expressions: bodies that `constraint`s hold together need fewer \
                      operations than one Lagrangian"
@@ -108,6 +147,10 @@ impl Sizes {
                  what it differentiates",
             )
         })
+    }
+
+    fn operations(&self) -> u64 {
+        self.work.0[0]
     }
 
     fn of(&mut self, e: &Expr) -> Size {
@@ -122,11 +165,13 @@ impl Sizes {
             let size = self.of(child);
             if merges && matches!(child.kind, K::AuxVariable(_)) {
                 let parts = size.terms.max(size.factors);
-                self.count(parts.saturating_sub(1).saturating_mul(each));
+                let merged = parts.saturating_sub(1).saturating_mul(each);
+                self.count(Work::of(merged, size.factors));
             }
             sizes.push(size);
         });
         let [a, b, c] = [0, 1, 2].map(|k| sizes.get(k).copied().unwrap_or(ATOM));
+        let mut derivative = None;
         let (own, size) = match &e.kind {
             K::Number { .. } => (0, Size::of(1, 0)),
             K::Axis(..) => {
@@ -158,10 +203,8 @@ impl Sizes {
                     most.max(a.factors.saturating_add(rate.factors))
                 });
                 let terms = a.terms.saturating_mul(a.factors.max(1));
-                let of_each = a.factors.max(OF_PRODUCT);
-                let own = a.operations.max(1).saturating_mul(of_each);
-                self.of_rates = self.of_rates.saturating_add(own);
-                (own, Size::of(terms, factors))
+                derivative = Some(a.work.differentiated(a.factors));
+                (0, Size::of(terms, factors))
             }
             // By the laws of motion: a sum of loads over an inertia, in another frame.
             K::BodyRate(..) => {
@@ -186,18 +229,22 @@ impl Sizes {
             K::Atan2(..) | K::Min(..) | K::Max(..) | K::Call(..) | K::Lookup(..) => (1, ATOM),
             _ => (0, ATOM),
         };
+        let own = derivative.unwrap_or_else(|| Work::of(own, size.factors));
+        if derivative.is_some() {
+            self.of_rates = self.of_rates.saturating_add(own.0[0]);
+        }
         self.count(own);
-        let operations = match e.kind {
-            K::AuxVariable(_) => size.operations,
-            _ => { sizes.iter() }.fold(own, |sum, part| sum.saturating_add(part.operations)),
+        let work = match e.kind {
+            K::AuxVariable(_) => size.work,
+            _ => { sizes.iter() }.fold(own, |sum, part| sum.plus(part.work)),
         };
         // What is used twice is computed once.
-        let operations = operations.min(self.operations);
-        Size { operations, ..size }
+        let work = work.min(self.work);
+        Size { work, ..size }
     }
 
-    fn count(&mut self, operations: u64) {
-        self.operations = self.operations.saturating_add(operations);
+    fn count(&mut self, work: Work) {
+        self.work = self.work.plus(work);
     }
 }
 

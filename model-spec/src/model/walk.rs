@@ -71,6 +71,7 @@ macro_rules! collect_expressions {
         let model = $model;
         let aux_variables = model.aux_variables.$iter();
         let mut all: Vec<_> = aux_variables.map(|own| &$($mutable)? own.value).collect();
+        all.extend(model.constant_angles.$iter());
         for body in model.body.$iter() {
             all.push(&$($mutable)? body.mass);
             let rotation = body.rotation.$iter();
@@ -158,8 +159,9 @@ impl Expr {
 }
 
 impl Model {
-    /// All expressions that are not part of another expression: definitions of the auxiliary variables, then mass and
-    /// entries of the inertia tensor, loads, equations, those of systems with their constraints, claimed balances, `claim` block, observation, rate of the clock, validity limits.
+    /// All expressions that are not part of another expression: definitions of the auxiliary variables, then
+    /// angles of frames, mass and entries of the inertia tensor, loads, equations, those of systems with their constraints,
+    /// claimed balances, `claim` block, observation, rate of the clock, validity limits.
     pub fn expressions(&self) -> Vec<&Expr> {
         collect_expressions!(self, iter, expressions)
     }
@@ -169,10 +171,11 @@ impl Model {
         collect_expressions!(self, iter_mut, expressions_mut, mut)
     }
 
-    /// Loads, equations, observation, clock, limits and claim: what each is, its name in messages, and its expression with
+    /// Angles of frames, loads, equations, observation, clock, limits and claim: what each is, its name in messages, and its expression with
     /// the span of the statement.
     pub(crate) fn statements(&self) -> Vec<(&'static str, &str, &Expr, Span)> {
-        let mut all = Vec::new();
+        let angles = self.constant_angles.iter();
+        let mut all: Vec<_> = angles.map(|e| ("an angle", "turned", e, e.span)).collect();
         for load in self.forces.iter().chain(&self.moments) {
             all.push(("a force or moment", &*load.name, &load.value, load.span));
         }

@@ -352,8 +352,15 @@ impl<'a> Scanner<'a> {
         match self.text(at + 3) {
             "turned" => {
                 self.keyword(at + 3);
-                self.declare_in(at + 4, SymbolKind::State, self.scope..usize::MAX, true);
-                self.keyword(at + 5);
+                if self.text(at + 5) == "about" {
+                    self.declare_in(at + 4, SymbolKind::State, self.scope..usize::MAX, true);
+                    self.keyword(at + 5);
+                } else {
+                    let about = (at + 4..end).rfind(|&k| self.text(k) == "about");
+                    let about = about.unwrap_or(end);
+                    self.expression(at + 4..about, false);
+                    self.keyword(about);
+                }
             }
             "by" => {
                 self.keyword(at + 3);

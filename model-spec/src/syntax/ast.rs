@@ -303,17 +303,17 @@ pub enum FrameKind {
     Turned {
         /// Name of the parent frame.
         parent: Name,
-        /// Name of the rotation angle: a state, or a constant or coefficient.
+        /// Name of the rotation angle: a state, a parameter or a coefficient.
         angle: Name,
         /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame, which the rotation leaves unchanged.
         axis: u8,
     },
-    /// Parent frame rotated about one of its axes by an angle that is a number.
+    /// Parent frame rotated about one of its axes by an angle that is an expression of more than a name.
     Fixed {
         /// Name of the parent frame.
         parent: Name,
-        /// The rotation angle.
-        angle: Quantity,
+        /// The rotation angle, constant during a flight.
+        angle: Expr,
         /// Number of the rotation axis: axis 1, 2 or 3 of the parent frame.
         axis: u8,
     },

@@ -1,8 +1,8 @@
 //! Parser for the statements of a file.
 
 use super::ast::{
-    Equation, Frame, FrameKind, Index, Input, Item, ItemKind, Let, Limit, Load, LoadClass, Marker,
-    Name, Number, Observe, Parameter, ParameterClass, Quantity, State, UnitExpr,
+    Equation, ExprKind, Frame, FrameKind, Index, Input, Item, ItemKind, Let, Limit, Load,
+    LoadClass, Marker, Name, Number, Observe, Parameter, ParameterClass, Quantity, State, UnitExpr,
 };
 use super::parser::{Parser, Read};
 use super::token::Token;
@@ -342,40 +342,26 @@ impl Parser<'_> {
         Ok(ItemKind::Frame(Frame { name, kind }))
     }
 
-    /// Parses the angle, a name or a number, and the axis of a frame that is `turned` from `parent`.
+    /// Parses the angle and the axis of a frame that is `turned` from `parent`.
     fn turned(&mut self, parent: Name) -> Read<FrameKind> {
-        if self.peek() == Token::Name {
-            let angle = self.name("the name of the angle after `turned`")?;
-            self.need_word("about", "the angle")?;
-            let axis = self.axis("the axis: 1, 2 or 3")?;
-            return Ok(FrameKind::Turned {
+        if self.peek() == Token::Sign("(") && self.peek_at(2) == Token::Sign(",") {
+            let help = "a frame by a unit quaternion is written `by quaternion (q0, q1, q2, q3)`";
+            return self.expected_help("the angle after `turned`", Some(help.to_owned()));
+        }
+        let angle = self.expr()?;
+        self.need_word("about", "the angle")?;
+        let axis = self.axis("the axis: 1, 2 or 3")?;
+        Ok(match angle.kind {
+            ExprKind::Name(text) => FrameKind::Turned {
+                parent,
+                angle: Name::new(&text, angle.span),
+                axis,
+            },
+            _ => FrameKind::Fixed {
                 parent,
                 angle,
                 axis,
-            });
-        }
-        let what = "the name of the angle after `turned`";
-        if matches!(self.peek(), Token::Sign("-")) && self.peek_at(1) == Token::Name {
-            self.advance();
-            let name = self.raw();
-            let help = format!(
-                "an angle is a name or a number: let `{name}` be the opposite angle, or write a number such as `-5 deg`"
-            );
-            let message = format!("a frame is turned by `{name}`, not by an expression of it");
-            let fault = Diagnostic::new(Kind::Grammar, self.behind().to(self.here()), message);
-            return self.refuse(fault.help(help));
-        }
-        if self.peek() == Token::Sign("(") {
-            let help = "a frame by a unit quaternion is written `by quaternion (q0, q1, q2, q3)`";
-            return self.expected_help(what, Some(help.to_owned()));
-        }
-        let angle = self.quantity(what)?;
-        self.need_word("about", "the angle")?;
-        let axis = self.axis("the axis: 1, 2 or 3")?;
-        Ok(FrameKind::Fixed {
-            parent,
-            angle,
-            axis,
+            },
         })
     }
 

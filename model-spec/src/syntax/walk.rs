@@ -179,6 +179,10 @@ macro_rules! roots {
         match $kind {
             ItemKind::Limit(Limit { value, .. }) => vec![value],
             ItemKind::Balance(Balance { quantity, change }) => vec![quantity, change],
+            ItemKind::Frame(Frame {
+                kind: FrameKind::Fixed { angle, .. },
+                ..
+            }) => vec![angle],
             ItemKind::Solve(Solve { equations, .. }) => { equations.$iter() }
                 .flat_map(|ImplicitEquation { left, right, .. }| [left, right])
                 .collect(),

@@ -1,7 +1,7 @@
 //! Small things that papers write: powers of quantities, turned frames, definitions in blocks.
 
 use model_spec::load::from_text;
-use model_spec::model::{ConstantAngle, FrameKind, Model};
+use model_spec::model::{FrameKind, Model};
 use model_spec::syntax;
 use model_spec::syntax::ast::{ExprKind, ItemKind};
 use model_spec::unit::Unit;
@@ -47,33 +47,39 @@ fn a_power_of_a_quantity_has_a_unit_where_that_is_one() {
 }
 
 #[test]
-fn a_frame_is_turned_by_a_number_a_parameter_or_a_coefficient() {
-    let statements = "param i_w = 2 deg; coefficient twist = 0.1 in -1 .. 1; frame A = N turned i_w about 2;
-        frame B = A turned twist about 1; frame C = B turned -3.5 deg about 3; force lift = 1 [N]*C.3;";
+fn a_frame_is_turned_by_an_expression_of_parameters() {
+    let statements = "param i_w = 2 deg; coefficient twist = 0.1 in -1 .. 1; param tilt = 2*i_w;
+        function half(a: 1): 1 { return a/2; }
+        frame A = N turned i_w about 2; frame B = A turned tilt about 1; frame C = B turned -3.5 deg about 3;
+        frame D = C turned half(twist) + i_w about 1; force lift = 1 [N]*D.3;";
     let model = read(statements);
-    let angle = |frame: usize| match model.frames[frame].kind {
-        FrameKind::Fixed { angle, .. } => angle,
-        other => panic!("{other:?}"),
-    };
-    assert_eq!(
-        [angle(1), angle(2)],
-        [ConstantAngle::Param(1), ConstantAngle::Coefficient(0)]
-    );
-    assert_eq!(angle(3), ConstantAngle::Number((-3.5_f64).to_radians()));
+    assert_eq!(model.constant_angles.len(), 4);
+    let turned = model.frames.iter().filter_map(|frame| match frame.kind {
+        FrameKind::Fixed { angle, .. } => Some(model.text(model.constant_angles[angle].span)),
+        _ => None,
+    });
+    let turned: Vec<String> = turned.collect();
+    assert_eq!(turned, ["i_w", "tilt", "-3.5 deg", "half(twist) + i_w"]);
     let text = format!("{BODY}{statements}");
     let printed = syntax::parse("probe.hyz", &text).file.to_string();
     let again =
         from_text("printed.hyz", &printed, &[]).unwrap_or_else(|e| panic!("{printed}\n{e}"));
-    assert_eq!(again.frames[3].kind, model.frames[3].kind);
+    let angles = again.constant_angles.iter().zip(&model.constant_angles);
+    assert!({ angles }.all(|(own, before)| own.same(before)));
     for (statement, message) in [
         ("frame A = N turned m about 1;", "must be an angle"),
         (
             "input flap: deg = 0 in -9 .. 9; frame A = N turned flap about 1;",
             "may change during a flight",
         ),
+        ("frame A = N turned 3 m about 1;", "must be an angle"),
         (
-            "frame A = N turned 3 m about 1;",
-            "a frame is turned by an angle",
+            "let twice = 2*z/(1 m); frame A = N turned twice about 1;",
+            "may change during a flight",
+        ),
+        (
+            "frame A = N turned a about 1; param a = norm(in_N((1, 0, 0) in A));",
+            "depends on a vector",
         ),
     ] {
         let found = refused(statement);

@@ -21,6 +21,27 @@ fn error(rest: &str) -> String {
     diagnostics[0].message.clone()
 }
 
+/// Lagrange's equations of three weights on rods compile to some hundred operations: the bound is one of these, not of
+/// the factors of all products.
+#[test]
+fn a_triple_pendulum_is_within_the_bound_of_operations() {
+    let mut text = "model triple; frame N; param g = 9.81 m/s^2; let r0 = 0 [m]*N.1;".to_owned();
+    let mut lagrangian = Vec::new();
+    for k in 1..=3 {
+        let above = k - 1;
+        text += &format!(
+            "param l{k} = 0.{k} m; param m{k} = {k} kg; state th{k} = {k}0 deg; state om{k} = 0 rad/s; der(th{k}) = om{k};
+             let r{k} = r{above} + l{k}*(sin(th{k}), 0, -cos(th{k})) in N; let v{k} = der(r{k});\n"
+        );
+        lagrangian.push(format!("m{k}*(v{k}·v{k}/2 - g*r{k}.3)"));
+    }
+    text += &format!("let L = {}; solve lagrange {{", lagrangian.join(" + "));
+    for k in 1..=3 {
+        text += &format!("der(partial(L, om{k})) = partial(L, th{k});");
+    }
+    from_text("triple.hyz", &(text + "}"), &[]).unwrap_or_else(|error| panic!("{error}"));
+}
+
 #[test]
 fn unknowns_are_quantities_and_printed_blocks_read_as_the_same() {
     let text = "solve rod {\n  /// tension\n  unknown T: N;\n  m*der(v) = -T;\n  der(w) = T/(m*(1 m));\n  constraint x*sin(q) = 0.5 [m] within 1 mm;\n}

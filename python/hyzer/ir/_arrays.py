@@ -176,6 +176,7 @@ class ArrayModel(Generic[A]):
 
     def _checked(self, name: str, value: Any, names: Sequence[str]) -> Any:
         """Return an array with an element for each name along its last axis."""
+        value = ordered(name, value, names)
         array = self._library.array(value)
         if array.ndim == 0 or array.shape[-1] != len(names):
             expected = f"(..., {len(names)}), for {', '.join(names)}"
@@ -199,6 +200,31 @@ class ArrayModel(Generic[A]):
         if array.ndim == 0:
             return self._library.array([value] * len(self.ir.marker))
         return self._checked("marker", array, self.ir.marker)
+
+
+def ordered(what: str, value: Any, names: Sequence[str]) -> Any:
+    """Return an array by its labels along the last axis: in the order of `names`, without labels.
+
+    Labels are the index of a Series, the columns of a DataFrame, the coordinates of an xarray;
+    numbers are no labels.
+    """
+    labels = _labels(value)
+    if not any(isinstance(label, str) for label in labels):
+        return value
+    if sorted(map(str, labels)) != sorted(names):
+        found, expected = ", ".join(map(str, labels)), ", ".join(names)
+        raise ValueError(f"{what}: found the labels {found}, expected {expected}")
+    places = [labels.index(name) for name in names]
+    values: Any = value.to_numpy() if hasattr(value, "to_numpy") else value.values
+    return values[..., places]
+
+
+def _labels(value: Any) -> list[Any]:
+    """Return the labels of the last axis of an array of pandas or xarray; none of another one."""
+    if hasattr(value, "iloc"):
+        return list(value.columns if hasattr(value, "columns") else value.index)
+    dims, coords = getattr(value, "dims", ()), getattr(value, "coords", {})
+    return list(coords[dims[-1]].values) if dims and dims[-1] in coords else []
 
 
 def elements(array: Any) -> list[Any]:

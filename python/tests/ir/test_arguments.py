@@ -9,7 +9,9 @@ from typing import Any
 
 import jax
 import numpy as np
+import pandas as pd
 import pytest
+import xarray as xr
 
 from conftest import document, points
 from hyzer.ir import IrError, read, to_casadi, to_jax, to_numpy, to_sympy
@@ -27,6 +29,26 @@ def test_axes_before_the_last_are_broadcast() -> None:
     np.testing.assert_allclose(dx[1, 2], one, rtol=1e-14)
     assert model.rhs(0.0, x[:0], p).shape == (0, 3, 6)
     assert model.rhs(0.0, x[:1, :1], p[:1]).shape == (1, 1, 6)
+
+
+@pytest.mark.parametrize("of", [to_numpy, to_jax])
+def test_labelled_arrays_are_taken_by_name(of: Any) -> None:
+    model, x = of(document(BALL)), np.array([0.0, 1.0, 2.0, 10.0, 3.0, -4.0])
+    expected = model.rhs(0.0, x)
+    series = pd.Series(x, index=model.states)
+    frame = pd.DataFrame([x, 2 * x], columns=model.states)
+    array = xr.DataArray([x], dims=("flight", "state"), coords={"state": list(model.states)})
+    back = list(reversed(model.states))
+    for given in (series, series[back], frame[back], array.sel(state=back)):
+        found = np.atleast_2d(model.rhs(0.0, given))[0]
+        np.testing.assert_array_equal(found, expected)
+    np.testing.assert_array_equal(model.rhs(0.0, pd.Series(x)), expected)
+    wrong = series.rename({model.states[0]: "other"})
+    with pytest.raises(ValueError, match="x: found the labels other"):
+        model.rhs(0.0, wrong)
+    wind = pd.Series([1.0, 2.0, 3.0], index=["wind_z", "wind_y", "wind_x"])
+    by_name = model.rhs(0.0, x, wind=wind)
+    np.testing.assert_array_equal(by_name, model.rhs(0.0, x, wind=[3, 2, 1]))
 
 
 @pytest.mark.parametrize("of", [to_numpy, to_jax])

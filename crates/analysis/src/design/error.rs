@@ -32,6 +32,9 @@ pub enum DesignError {
         /// Upper bound, in the unit of the quantity.
         greatest: f64,
     },
+    /// The number of threads is 0.
+    #[error("the number of threads is 0, expected at least 1")]
+    NoThreads,
     /// The goal needs an obstacle, and the bounds have none.
     #[error(
         "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"

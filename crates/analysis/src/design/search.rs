@@ -93,6 +93,9 @@ pub fn design(
     bounds: &Bounds,
     options: &SearchOptions,
 ) -> Result<Design, DesignError> {
+    if options.threads == 0 {
+        return Err(DesignError::NoThreads);
+    }
     match (goal, goal.target()) {
         (Goal::Curve(_), _) if bounds.obstacle.is_none() => return Err(DesignError::NoObstacle),
         (_, Some(target)) if !target.iter().all(|x| x.is_finite()) => {

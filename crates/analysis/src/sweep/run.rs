@@ -36,6 +36,9 @@ pub enum SweepError {
         /// Name of the model.
         model: String,
     },
+    /// The number of threads is 0.
+    #[error("the number of threads is 0, expected at least 1")]
+    NoThreads,
     /// The output folder cannot be used.
     #[error(transparent)]
     Folder(#[from] FolderError),
@@ -73,13 +76,16 @@ const FLIGHTS: &str = "flights.parquet";
 /// empty or holds earlier parts of the same plan. Returns the summary; `None` for a share, or if the caller cancelled.
 ///
 /// # Errors
-/// [`SweepError`] if the plan needs a state that the model does not have, or a file cannot be read or written. A flight
+/// [`SweepError`] if the number of threads is 0, the plan needs a state that the model does not have, or a file cannot be read or written. A flight
 /// that fails is not an error: its row in the table has a status other than the intended end.
 pub fn run(
     plan: &Plan,
     out: &Path,
     options: &SweepOptions<'_>,
 ) -> Result<Option<Value>, SweepError> {
+    if options.threads == 0 {
+        return Err(SweepError::NoThreads);
+    }
     let count = plan.parts();
     let parts = match options.share {
         None => 0..count,
@@ -192,7 +198,7 @@ fn in_order(
     plan: &Plan,
     work: &(dyn Fn(u64) -> Result<Option<Summary>, SweepError> + Sync),
 ) -> Result<Option<Summary>, SweepError> {
-    let threads = options.threads.max(1);
+    let threads = options.threads;
     let is_stopped = AtomicBool::new(false);
     let mut total: Option<Summary> = None;
     for first in parts.clone().step_by(AHEAD as usize * threads) {

@@ -1,6 +1,6 @@
 //! Bounds files: what they state, and the faults of broken ones with their places.
 
-use analysis::design::{Bounds, Side};
+use analysis::design::{Bounds, DesignError, Goal, SearchOptions, Side, design};
 use flight::throw::FIELDS;
 
 use crate::support::body;
@@ -42,6 +42,18 @@ fn a_file_changes_what_it_states() {
     );
     let free: Vec<&str> = bounds.free().map(|(field, ..)| FIELDS[*field].0).collect();
     assert_eq!(free, ["speed", "heading", "launch", "nose", "hyzer"]);
+}
+
+#[test]
+fn a_search_on_no_threads_is_an_error() {
+    let disc = body("disc");
+    let flights = disc.with_parameters(disc.compiled.layout().default_parameters());
+    let options = SearchOptions {
+        threads: 0,
+        ..SearchOptions::default()
+    };
+    let found = design(&flights, Goal::Range, &Bounds::standard(&disc), &options);
+    assert_eq!(found.err(), Some(DesignError::NoThreads));
 }
 
 #[test]

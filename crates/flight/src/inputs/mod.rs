@@ -87,6 +87,20 @@ impl InputSeries {
         self.function.knots().iter().copied().zip(values)
     }
 
+    /// Turning points between the samples: times in s, and values, SI; none of lines.
+    #[doc(hidden)]
+    pub fn extremes(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let intervals = self.function.knots().windows(2);
+        let cubics = &self.function.cubics()[1..];
+        intervals.zip(cubics).flat_map(move |(ends, cubic)| {
+            let (from, length) = (ends[0], ends[1] - ends[0]);
+            let inside = slopeless(*cubic)
+                .into_iter()
+                .filter(move |s| (0.0..length).contains(s));
+            inside.map(move |s| (from + s, self.at(from + s)))
+        })
+    }
+
     /// How the samples are interpolated.
     #[doc(hidden)]
     pub fn interpolation(&self) -> InputInterpolation {
@@ -131,6 +145,14 @@ impl InputSeries {
         };
         knots.filter_map(move |(t, pair)| differ(&pair[0], &pair[1]).then_some(*t))
     }
+}
+
+/// Arguments at which the slope of a cubic, given by its coefficients of rising power, is 0; NaN in place of none.
+fn slopeless([_, b, c, d]: [f64; 4]) -> [f64; 2] {
+    // By the formula for roots without cancellation: q/(3d) and b/q.
+    let root = (c * c - 3.0 * b * d).sqrt();
+    let q = -(c + root.copysign(c));
+    [q / (3.0 * d), b / q]
 }
 
 /// An input over time of a model: its parameter, and those that go with it.

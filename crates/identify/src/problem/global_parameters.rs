@@ -88,6 +88,7 @@ fn coefficients(
         match given.find(|(name, _)| *name == coefficient.name) {
             Some((_, value)) => {
                 let value = value.unwrap_or(coefficient.value);
+                within_bounds(coefficient, value, options)?;
                 parameters[param.index()] = value;
                 fixed.push((coefficient.name.clone(), value));
             }
@@ -95,6 +96,24 @@ fn coefficients(
         }
     }
     Ok((globals, fixed))
+}
+
+/// An error for a value outside the bounds of a coefficient, where the model does not hold.
+fn within_bounds(
+    coefficient: &Parameter,
+    value: f64,
+    options: &FitOptions<'_>,
+) -> Result<(), FitError> {
+    let bounds = coefficient.bounds.filter(|_| !options.unbounded);
+    match bounds {
+        Some((low, high)) if !(low..=high).contains(&value) => Err(FitError::InvalidOption {
+            option: "the fixed value",
+            name: coefficient.name.clone(),
+            value,
+            expected: "a value within the bounds that the model declares",
+        }),
+        _ => Ok(()),
+    }
 }
 
 fn add_priors(globals: &mut [GlobalParameter], options: &FitOptions<'_>) -> Result<(), FitError> {

@@ -27,12 +27,15 @@ pub struct LackOfFit {
     pub beyond_noise_m: f64,
     /// Sum of squares that splines remove from the residuals over the noise variance, less its expectation for noise:
     /// the larger of those for slow and for fast deviations, at least 0.
+    #[doc(hidden)]
     #[serde(skip)]
     pub excess_chi2: f64,
     /// Whether positions alone are measured. Other residuals have no length, and are stated relative to the noise.
+    #[doc(hidden)]
     #[serde(skip)]
     pub has_length: bool,
     /// Estimated noise model: the noise floor of the residuals.
+    #[doc(hidden)]
     #[serde(skip, default = "no_noise")]
     pub noise: NoiseModel,
 }

@@ -167,6 +167,47 @@ fn an_input_that_is_unknown_or_too_short_excludes_the_flight() {
     );
 }
 
+#[test]
+fn an_input_over_time_is_no_number_to_estimate_and_keeps_its_bounds_between_samples() {
+    let model = drone();
+    let mut dataset = flown(&model, InputInterpolation::Linear);
+    let full = [0.0, 0.5, 1.0, 1.5, 2.0, 2.5].map(|t| (t, if t < 1.0 { 0.0 } else { 2.0 }));
+    for (flight, kind) in [
+        (0, InputInterpolation::Cubic),
+        (1, InputInterpolation::Linear),
+    ] {
+        dataset.flights[flight].inputs[0].1 = InputSeries::new(&full, kind);
+    }
+    let options = FitOptions {
+        trust_data: true,
+        ..FitOptions::default()
+    };
+    let found = fit(&model, &dataset, &options).expect("a fit");
+    let told = |flight: usize| found.report.flights[flight].notes.join("; ");
+    let (cubic, linear) = (told(0), told(1));
+    assert!(
+        cubic.contains("the input throttle is −0.262") && cubic.contains("beyond its bounds 0"),
+        "{cubic}"
+    );
+    assert!(!linear.contains("beyond its bounds"), "{linear}");
+    let held = [("c".to_owned(), Some(-1.0))];
+    let beyond = FitOptions {
+        fixed: &held,
+        ..options
+    };
+    let refused = fit(&model, &dataset, &beyond).err().expect("no fit");
+    let refused = refused.to_string();
+    assert!(refused.contains("the fixed value of c is -1"), "{refused}");
+    let free = ["throttle".to_owned()];
+    let options = FitOptions {
+        free: &free,
+        ..options
+    };
+    let refused = fit(&model, &dataset, &options).err().expect("no fit");
+    let refused = refused.to_string();
+    assert!(refused.contains("bias_of_throttle"), "{refused}");
+}
+
 /// The flights of [`flown`], and a fifth one with a throttle of 0.8 throughout, of which nothing is recorded.
 fn flown_with_a_constant(model: &Model) -> Dataset {
     let mut dataset = flown(model, InputInterpolation::Linear);

@@ -43,6 +43,14 @@ impl<T: Real> Tree<'_, T> {
     /// Derivative of a state of the body by the time of the flight; a coordinate depends on no load. NaN where the
     /// body's attitude cannot be differentiated.
     pub(super) fn body_rate(&self, state: usize, is_coordinate: bool) -> T {
+        let computed = &self.body_rates[usize::from(is_coordinate)];
+        let rates = computed.get_or_init(|| self.all_body_rates(is_coordinate));
+        rates.get(state).copied().unwrap_or(T::lit(f64::NAN))
+    }
+
+    /// Derivatives of all states of the body, without loads for coordinates alone; empty where its attitude cannot be
+    /// differentiated.
+    fn all_body_rates(&self, is_coordinate: bool) -> Vec<T> {
         let (model, body) = (self.model, self.body());
         let none = Vector3::zeros();
         let motion = match is_coordinate {
@@ -59,7 +67,7 @@ impl<T: Real> Tree<'_, T> {
             }
         };
         let rates = state_derivatives(model, body, &self.point.states, &self.frames, &motion);
-        rates.map_or_else(|_| T::lit(f64::NAN), |rates| rates[state])
+        rates.unwrap_or_default()
     }
 
     pub(super) fn states(&self, indices: [usize; 3]) -> Vector3<T> {

@@ -8,6 +8,7 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, DVector};
 use oracle::scalar::{Dual, Real};
 use oracle::{Point, derivatives};
+use verify::balance_rank;
 use verify::checks::{balances, derivatives as by_derivatives, reference};
 use verify::engine::Engine;
 use verify::random::Random;
@@ -203,6 +204,35 @@ fn right_models_of_the_gallery_hold_and_wrong_ones_are_refuted_by_their_balances
             Verdict::Refuted,
             "{name}"
         );
+    }
+}
+
+/// Balances make up for a claimed body where they determine every equation, and not where one of them lacks, or names
+/// what follows from the equations.
+#[test]
+fn balances_verify_only_what_they_determine() {
+    let moment = "claim der(in_N(H) - to_contact × mv) = to_contact × (m*g*N.3) - (turning × to_contact) × mv;";
+    let balance = "claim der((x, y, a*sin(theta)) in N) = in_N(v);";
+    let of_equations = "claim der((x, y, a*sin(theta)) in N) = (der(x), der(y), in_N(v).3) in N;";
+    for (from, to, expected) in [
+        ("", "", true),
+        (moment, "", false),
+        (balance, of_equations, false),
+    ] {
+        let text = gallery("euler_disc");
+        assert!(text.contains(from));
+        let model = load(&text.replace(from, to));
+        assert_eq!(balance_rank::determine_all_rates(&model), expected, "{to}");
+    }
+    for name in [
+        "double_pendulum",
+        "falling_plate",
+        "spinning_top",
+        "tethered_kite",
+        "water_rocket",
+    ] {
+        let determined = balance_rank::determine_all_rates(&load(&gallery(name)));
+        assert!(determined, "{name}");
     }
 }
 
