@@ -87,17 +87,11 @@ pub use sweep::{Sweep, sweep};
 #[cfg(feature = "verification")]
 pub use verification::Verification;
 
-/// Parts of a [`WindField`].
-pub mod winds {
-    pub use ::flight::wind::{GustStrength, Gusts, Profile, ReferenceWind};
-}
-
 /// Parts of a [`FitReport`].
 pub mod fit_report {
     pub use identify::{
-        AxisNoise, AxisResiduals, Coefficient, Estimate, FitStatus, FlightReport, InputNoise,
-        Iterations, LackOfFit, MarkerDistance, MissingTerm, NoiseReport, NonIdentifiable, Profile,
-        Rms, SensorReport, SmoothMisfit, Truncation,
+        AxisNoise, AxisResiduals, Coefficient, Estimate, FitStatus, FlightReport, Iterations,
+        MarkerDistance, NoiseReport, NonIdentifiable, Profile, Rms, SensorReport, Truncation,
     };
 }
 

@@ -53,6 +53,7 @@ pub struct PredictiveGain {
 
 impl PredictiveGain {
     /// RMS prediction error without the added effects minus RMS prediction error with them, m.
+    #[doc(hidden)]
     pub fn error_reduction_m(&self) -> f64 {
         self.rms_before_m - self.rms_after_m
     }
