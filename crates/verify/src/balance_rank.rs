@@ -11,7 +11,7 @@ use oracle::{Point, Tree, Value, moving};
 /// Random points at which the balances may determine the rates: at some they degenerate, such as the energy at rest.
 const RANK_POINTS: usize = 4;
 
-/// Least singular value, relative to the greatest, of balances that determine a rate; roundings leave about 1e-15.
+/// Least pivot, relative to the greatest, of balances that determine a rate; roundings leave about 1e-15.
 const RANK_TOLERANCE: f64 = 1e-9;
 
 /// Whether the claimed balances determine the rate of every state of the model itself. Balances that name what follows
@@ -63,9 +63,10 @@ fn rank(values: &[f64], columns: usize) -> usize {
     for mut column in matrix.column_iter_mut() {
         let _ = column.try_normalize_mut(0.0);
     }
-    let singular = matrix.singular_values();
-    let least = RANK_TOLERANCE * singular.max();
-    singular.iter().filter(|own| **own > least).count()
+    let triangle = matrix.col_piv_qr().r();
+    let pivots = triangle.diagonal().abs();
+    let least = RANK_TOLERANCE * pivots.max();
+    pivots.iter().filter(|own| **own > least).count()
 }
 
 /// Whether an auxiliary variable is the derivative of a state by its equation.
