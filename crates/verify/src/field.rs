@@ -108,6 +108,14 @@ pub fn is_exact(c: f64) -> bool {
     constant(c).or_else(|| multiple_of_pi(c)).is_some()
 }
 
+/// Whether a number is a fraction of small numerator with a power of two below, so that no rounding made it.
+pub fn is_unrounded(c: f64) -> bool {
+    (0..=60).any(|k| {
+        let numerator = c * f64::powi(2.0, k);
+        numerator.fract() == 0.0 && numerator.abs() < 1e6
+    })
+}
+
 /// The rational number n/d, d at most 360, whose product with π is `c` up to rounding.
 fn multiple_of_pi(c: f64) -> Option<Prime> {
     (1..=360).find_map(|d| {

@@ -65,11 +65,12 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
         ));
     }
     if !faults.is_empty() {
-        let (why, allowed) = match undecided(compiled) {
-            Some(why) => (why, Allowed::RoundedConstants),
-            None => (IDENTITIES, Allowed::Nothing),
+        let why = undecided(compiled);
+        let allowed = match why.is_none() && constants(compiled).all(field::is_unrounded) {
+            true => Allowed::Nothing,
+            false => Allowed::RoundedConstants,
         };
-        return in_long_arithmetic(model, compiled, options, why, allowed);
+        return in_long_arithmetic(model, compiled, options, why.unwrap_or(IDENTITIES), allowed);
     }
     // The fraction of points at which all roots exist is at least 1 / MAX_TRIALS.
     let chance = DEGREE * MAX_TRIALS as f64 / 2f64.powi(61);
@@ -132,6 +133,17 @@ fn compare(model: &Model, compiled: &Compiled, spot: &FieldPoint) -> Compared {
         faults.sort();
         faults.dedup();
         Compared::At(faults)
+    })
+}
+
+/// Numbers in the code.
+fn constants(compiled: &Compiled) -> impl Iterator<Item = f64> {
+    let functions = compiled.functions().into_iter();
+    let statements = functions.flat_map(|f| &f.program.statements);
+    let operands = statements.flat_map(|statement| statement.op.operands());
+    operands.filter_map(|operand| match operand {
+        Operand::Constant(c) => Some(c),
+        _ => None,
     })
 }
 
