@@ -65,6 +65,11 @@ fn on_circle(t: Prime) -> (Prime, Prime) {
 
 /// Symbol of a function such as exp at `a`, of the parity of the function.
 pub fn call(function: MathFunction, a: Prime) -> Prime {
+    match function {
+        MathFunction::Exp if a.is_zero() => return Prime::one(),
+        MathFunction::Log if a == Prime::one() => return Prime::zero(),
+        _ => {}
+    }
     let of_function = MathFunction::ALL.iter().position(|&f| f == function);
     let tag = of_function.map_or(u64::MAX, |k| k as u64);
     if function == MathFunction::Exp {
@@ -106,14 +111,6 @@ pub fn literal(c: f64) -> Prime {
 /// Whether [`literal`] is a rational number or a rational multiple of π.
 pub fn is_exact(c: f64) -> bool {
     constant(c).or_else(|| multiple_of_pi(c)).is_some()
-}
-
-/// Whether a number is a fraction of small numerator with a power of two below, so that no rounding made it.
-pub fn is_unrounded(c: f64) -> bool {
-    (0..=60).any(|k| {
-        let numerator = c * f64::powi(2.0, k);
-        numerator.fract() == 0.0 && numerator.abs() < 1e6
-    })
 }
 
 /// The rational number n/d, d at most 360, whose product with π is `c` up to rounding.
@@ -159,6 +156,9 @@ fn power(a: Prime, mut exponent: u64) -> Prime {
 pub fn angle(y: Prime, x: Prime) -> Option<Angle> {
     let length = root(x * x + y * y)?.inverse();
     let (sine, cosine) = (y * length, x * length);
+    if sine.is_zero() && cosine == Prime::one() {
+        return Some((Prime::zero(), (sine, cosine)));
+    }
     let (size, sign) = least(sine);
     Some((symbol(4, &[size, cosine]) * sign, (sine, cosine)))
 }
@@ -182,12 +182,18 @@ pub fn known(a: Prime, angles: &[Angle]) -> Option<(Prime, Prime)> {
 }
 
 fn odd(function: u64, a: Prime) -> Prime {
+    if a.is_zero() {
+        return a;
+    }
     let (a, sign) = least(a);
     symbol(function, &[a]) * sign
 }
 
 /// Symbol for (sine, cosine) of an angle unrelated to known ones; the sine is odd.
 pub fn circle(a: Prime) -> (Prime, Prime) {
+    if a.is_zero() {
+        return (a, Prime::one());
+    }
     let (a, sign) = least(a);
     let (sine, cosine) = on_circle(symbol(5, &[a]));
     (sine * sign, cosine)

@@ -6,7 +6,7 @@
 
 use super::exact::POINTS;
 use super::function_rows::{differences, functions, law, variables};
-use super::long_functions::{self, Allowed};
+use super::long_functions;
 use crate::evaluation::results;
 use crate::field::{self, FieldPoint};
 use crate::options::Options;
@@ -29,10 +29,6 @@ const MAX_TRIALS: usize = 4096;
 const DEGREE: f64 = 1e4;
 /// Number of points, at which roots of the law exist but one of the code does not, after which the code is refuted.
 const LACKING: usize = 64;
-
-/// Why different values prove nothing where the code has no branch and no rounded constant: the field does not know all
-/// identities of its symbols, such as exp(log(2)) = 2 and cos(0) = 1.
-const IDENTITIES: &str = "identities of functions";
 
 /// Compares f, J, Jp and the observation of a compiled model with its vector expressions.
 pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
@@ -58,19 +54,14 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     if faults.is_empty() && good < POINTS {
         if lacking < LACKING {
             let why = "roots exist together at too few points of the field";
-            return in_long_arithmetic(model, compiled, options, why, Allowed::RoundedConstants);
+            return in_long_arithmetic(model, compiled, options, why);
         }
         faults.push(String::from(
             "roots in the code do not exist where those of the law do",
         ));
     }
-    if !faults.is_empty() {
-        let why = undecided(compiled);
-        let allowed = match why.is_none() && constants(compiled).all(field::is_unrounded) {
-            true => Allowed::Nothing,
-            false => Allowed::RoundedConstants,
-        };
-        return in_long_arithmetic(model, compiled, options, why.unwrap_or(IDENTITIES), allowed);
+    if let Some(why) = undecided(compiled).filter(|_| !faults.is_empty()) {
+        return in_long_arithmetic(model, compiled, options, why);
     }
     // The fraction of points at which all roots exist is at least 1 / MAX_TRIALS.
     let chance = DEGREE * MAX_TRIALS as f64 / 2f64.powi(61);
@@ -80,23 +71,13 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
 }
 
 /// Comparison in 256-bit arithmetic where the prime field cannot decide, for the reason `why`: refuted or skipped.
-fn in_long_arithmetic(
-    model: &Model,
-    compiled: &Compiled,
-    options: &Options,
-    why: &str,
-    allowed: Allowed,
-) -> Row {
+fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
     let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
-    let but = match allowed {
-        Allowed::Nothing => "",
-        Allowed::RoundedConstants => " but for rounded constants",
-    };
-    match long_functions::faults(model, compiled, &mut random, allowed) {
+    match long_functions::faults(model, compiled, &mut random) {
         Some(faults) if !faults.is_empty() => Row::counted(FUNCTIONS, 1, &faults, ""),
         Some(_) => Row::skipped(
             FUNCTIONS,
-            format!("not decided exactly, by {why}; equal in 256 bits{but}"),
+            format!("not decided exactly, by {why}; equal in 256 bits but for rounded constants"),
         ),
         None => Row::skipped(FUNCTIONS, format!("not decided, by {why}")),
     }
@@ -133,17 +114,6 @@ fn compare(model: &Model, compiled: &Compiled, spot: &FieldPoint) -> Compared {
         faults.sort();
         faults.dedup();
         Compared::At(faults)
-    })
-}
-
-/// Numbers in the code.
-fn constants(compiled: &Compiled) -> impl Iterator<Item = f64> {
-    let functions = compiled.functions().into_iter();
-    let statements = functions.flat_map(|f| &f.program.statements);
-    let operands = statements.flat_map(|statement| statement.op.operands());
-    operands.filter_map(|operand| match operand {
-        Operand::Constant(c) => Some(c),
-        _ => None,
     })
 }
 

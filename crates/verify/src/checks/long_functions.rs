@@ -1,5 +1,6 @@
 //! Compares all of f, J, Jp and the observation in 256-bit arithmetic: the compiled functions with the vector tree of
-//! the declared law and its dual numbers, at states of the model.
+//! the declared law and its dual numbers, at states of the model. Only constants that the code rounds to f64 may cause
+//! differences.
 
 use super::function_rows::{differences, functions, law, variables};
 use crate::evaluation::long_results;
@@ -14,44 +15,21 @@ use oracle::scalar::{Big, Dual, ErrorBound, Lockstep, Real, with_numbers};
 /// Number of points, so that functions are likely to be compared on every branch.
 const POINTS: usize = 8;
 const MAX_DRAWS: usize = 30;
-
-/// What may differ besides rounding to 256 bits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Allowed {
-    /// Nothing.
-    Nothing,
-    /// Constants that the code rounds to f64.
-    RoundedConstants,
-}
-
-impl Allowed {
-    /// Maximum difference, relative to the magnitude of the terms: a thousand times that of a constant rounded to f64, or
-    /// 10¹⁷ times that of 256 bits.
-    fn tolerance(self) -> f64 {
-        match self {
-            Self::Nothing => 1e-60,
-            Self::RoundedConstants => 1e-13,
-        }
-    }
-}
+/// Maximum difference, relative to the magnitude of the terms: a thousand times that of a constant rounded to f64.
+const TOLERANCE: f64 = 1e-13;
 
 /// A 256-bit number with the sum of the magnitudes of its terms.
 type Bounded = Lockstep<Big, ErrorBound>;
 
 /// Names of the values and derivatives that differ; `None` if rounding may decide a branch at every drawn point.
-pub fn faults(
-    model: &Model,
-    compiled: &Compiled,
-    random: &mut Random,
-    allowed: Allowed,
-) -> Option<Vec<String>> {
+pub fn faults(model: &Model, compiled: &Compiled, random: &mut Random) -> Option<Vec<String>> {
     let (mut faults, mut compared) = (Vec::new(), 0);
     for _ in 0..MAX_DRAWS {
         if compared == POINTS || !faults.is_empty() {
             break;
         }
         let point = sample::point(model, random);
-        if let Some(found) = with_numbers(|| at(model, compiled, &point, allowed)) {
+        if let Some(found) = with_numbers(|| at(model, compiled, &point)) {
             compared += 1;
             faults.extend(found);
         }
@@ -62,12 +40,7 @@ pub fn faults(
 }
 
 /// Names of the values and derivatives that differ at a point; `None` if rounding may decide a branch there.
-fn at(
-    model: &Model,
-    compiled: &Compiled,
-    point: &Point<f64>,
-    allowed: Allowed,
-) -> Option<Vec<String>> {
+fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<String>> {
     let results = long_results(compiled, functions(compiled), point, true)?.into_iter();
     let results = results.map(|(function, values)| {
         let values = values.into_iter().map(bounded);
@@ -89,13 +62,7 @@ fn at(
         let directions = directions.map(|(&value, &terms)| bounded((value, terms)));
         let variable = exact_variable.along(directions.collect());
         let expected: Vec<Dual<Bounded>> = expected.collect();
-        faults.extend(differences(
-            model,
-            &results,
-            &variable,
-            &expected,
-            &|a, b| differ(a, b, allowed.tolerance()),
-        ));
+        faults.extend(differences(model, &results, &variable, &expected, &differ));
     }
     Some(faults)
 }
@@ -104,7 +71,7 @@ fn bounded((first, second): (Big, ErrorBound)) -> Bounded {
     Lockstep { first, second }
 }
 
-fn differ(found: Bounded, expected: Bounded, tolerance: f64) -> bool {
+fn differ(found: Bounded, expected: Bounded) -> bool {
     let terms = [found.second, expected.second];
     if !terms.iter().all(|terms| terms.value.is_finite()) {
         // Terms beyond the range of `f64` may cancel by more than 256 bits.
@@ -114,5 +81,5 @@ fn differ(found: Bounded, expected: Bounded, tolerance: f64) -> bool {
     let size = expected.first.re().abs();
     let size = size.max(found.second.magnitude);
     let size = size.max(expected.second.magnitude);
-    difference.is_nan() || difference > tolerance * size.max(ErrorBound::NEGLIGIBLE)
+    difference.is_nan() || difference > TOLERANCE * size.max(ErrorBound::NEGLIGIBLE)
 }
