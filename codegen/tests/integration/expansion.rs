@@ -3,6 +3,7 @@
 use crate::support::{Random, point};
 use codegen::tape_model::{At, Scratch, TapeFunction, TapeModel};
 use model_spec::model::Model;
+use std::fmt::Write;
 
 /// Greatest distance of two results, in units in the last place.
 const MAX_ULP: u64 = 4;
@@ -214,6 +215,158 @@ fn the_gallery_computes_what_is_written_by_hand() {
         assert!(text.lines().count() <= 60, "{name}");
         same(name, &text, &by_hand(&text));
     }
+}
+
+/// A random expression of pure numbers.
+enum Tree {
+    Name(String),
+    Number(u32),
+    Two(char, Box<Tree>, Box<Tree>),
+    Of(&'static str, Box<Tree>),
+    /// Call of the function with this number.
+    Call(usize, Vec<Tree>),
+}
+
+fn pick(random: &mut Random, count: usize) -> usize {
+    (((random.next() + 1.0) / 2.0 * count as f64) as usize).min(count - 1)
+}
+
+fn tree(random: &mut Random, names: &[&str], functions: usize, depth: usize) -> Tree {
+    let inner = |random: &mut Random| Box::new(tree(random, names, functions, depth - 1));
+    match pick(random, if depth == 0 { 2 } else { 7 }) {
+        0 => Tree::Number(1 + pick(random, 4) as u32),
+        1 => Tree::Name(names[pick(random, names.len())].to_owned()),
+        2 | 3 => {
+            let sign = ['+', '-', '*'][pick(random, 3)];
+            Tree::Two(sign, inner(random), inner(random))
+        }
+        4 | 5 if functions > 0 => {
+            let arguments = (0..2).map(|_| *inner(random)).collect();
+            Tree::Call(pick(random, functions), arguments)
+        }
+        _ => Tree::Of(["sin", "cos", "tanh"][pick(random, 3)], inner(random)),
+    }
+}
+
+/// `function f(a, b) { let u = …; return …; }`
+struct Drawn {
+    local: Tree,
+    result: Tree,
+}
+
+impl Tree {
+    /// The expression with calls, and with names replaced.
+    fn text(&self, name: &dyn Fn(&str) -> String) -> String {
+        match self {
+            Tree::Name(own) => name(own),
+            Tree::Number(own) => own.to_string(),
+            Tree::Two(sign, a, b) => format!("({} {sign} {})", a.text(name), b.text(name)),
+            Tree::Of(function, a) => format!("{function}({})", a.text(name)),
+            Tree::Call(k, arguments) => {
+                let arguments: Vec<String> = arguments.iter().map(|own| own.text(name)).collect();
+                format!("f{k}({})", arguments.join(", "))
+            }
+        }
+    }
+
+    /// The expression with its functions written out, and with names replaced.
+    fn by_hand(&self, functions: &[Drawn], name: &dyn Fn(&str) -> String) -> String {
+        match self {
+            Tree::Two(sign, a, b) => {
+                format!(
+                    "({} {sign} {})",
+                    a.by_hand(functions, name),
+                    b.by_hand(functions, name)
+                )
+            }
+            Tree::Of(function, a) => format!("{function}({})", a.by_hand(functions, name)),
+            Tree::Call(k, arguments) => {
+                let own = arguments.iter().map(|own| own.by_hand(functions, name));
+                let own: Vec<String> = own.collect();
+                let parameter = |wanted: &str| match wanted {
+                    "a" => Some(own[0].clone()),
+                    "b" => Some(own[1].clone()),
+                    _ => None,
+                };
+                let plain = |wanted: &str| parameter(wanted).unwrap_or_else(|| wanted.to_owned());
+                let local = functions[*k].local.by_hand(functions, &plain);
+                let inside = |wanted: &str| match wanted {
+                    "u" => local.clone(),
+                    _ => plain(wanted),
+                };
+                functions[*k].result.by_hand(functions, &inside)
+            }
+            _ => self.text(name),
+        }
+    }
+}
+
+/// Length of a text by hand, bytes, beyond which the model may have too many operations.
+const MAX_HAND: usize = 10_000;
+
+const HEAD: &str = "model drawn;\nparam m = 1 kg;\nparam k = 0.7;\nframe N;\n\
+    point drawn { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }\n\
+    let X = x/(1 m);\nlet Y = vy/(1 [m/s]);\n";
+
+#[test]
+fn random_functions_loops_and_sums_compute_what_is_written_by_hand() {
+    let mut random = Random(46);
+    let mut compared = 0;
+    for case in 0..60 {
+        let count = 1 + pick(&mut random, 3);
+        let mut functions: Vec<Drawn> = Vec::new();
+        for own in 0..count {
+            let local = tree(&mut random, &["a", "b", "k"], own, 2);
+            let result = tree(&mut random, &["a", "b", "u", "X"], own, 2);
+            functions.push(Drawn { local, result });
+        }
+        let elements = 1 + pick(&mut random, 4);
+        let element = tree(&mut random, &["X", "Y", "i", "k"], count, 2);
+        let term = tree(&mut random, &["q[i]", "Y", "i"], count, 2);
+        let as_is = |name: &str| name.to_owned();
+        let mut text = HEAD.to_owned();
+        for (k, own) in functions.iter().enumerate() {
+            let (local, result) = (own.local.text(&as_is), own.result.text(&as_is));
+            let _ = writeln!(
+                text,
+                "function f{k}(a, b) {{ let u = {local}; return {result}; }}"
+            );
+        }
+        let range = format!("i in 1..{elements}");
+        let _ = writeln!(
+            text,
+            "let q[i] for {range} = k + X*Y + {};",
+            element.text(&as_is)
+        );
+        let sum = format!("sum({range}, q[i] + {})", term.text(&as_is));
+        let _ = writeln!(
+            text,
+            "force drawn = (1 N)*({sum})*N.1 + (1 N)*q[1]*N.2 + m*(1 [m/s^2])*N.3;"
+        );
+
+        let mut hand = HEAD.to_owned();
+        let mut terms = Vec::new();
+        for i in 1..=elements {
+            let number = |name: &str| match name {
+                "i" => i.to_string(),
+                "q[i]" => format!("q_{i}"),
+                other => other.to_owned(),
+            };
+            let own = element.by_hand(&functions, &number);
+            let _ = writeln!(hand, "let q_{i} = k + X*Y + {own};");
+            terms.push(format!("q_{i} + {}", term.by_hand(&functions, &number)));
+        }
+        let sum = terms.join(" + ");
+        let _ = writeln!(
+            hand,
+            "force drawn = (1 N)*({sum})*N.1 + (1 N)*q_1*N.2 + m*(1 [m/s^2])*N.3;"
+        );
+        if hand.len() < MAX_HAND {
+            same(&format!("case {case}"), &text, &hand);
+            compared += 1;
+        }
+    }
+    assert!(compared >= 40, "{compared}");
 }
 
 /// Text of a wing with this number of elements.

@@ -33,7 +33,8 @@ const RECORDED: usize = 20;
 ///
 /// # Errors
 /// [`FlightError::UnknownInput`] for an input that the model lacks; [`FlightError::InputBounds`] for a value outside
-/// its bounds; [`FlightError::RecordedAndEstimated`] for one that is estimated for all flights; [`FlightError::InputSpan`] for one that does not cover the flight.
+/// its bounds; [`FlightError::RecordedAndEstimated`] for one that is estimated for all flights;
+/// [`FlightError::InputSpan`] for one that does not cover the flight.
 pub fn of_flight(
     problem: &FitProblem,
     flight: &Flight,

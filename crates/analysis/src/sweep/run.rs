@@ -76,8 +76,8 @@ const FLIGHTS: &str = "flights.parquet";
 /// empty or holds earlier parts of the same plan. Returns the summary; `None` for a share, or if the caller cancelled.
 ///
 /// # Errors
-/// [`SweepError`] if the number of threads is 0, the plan needs a state that the model does not have, or a file cannot be read or written. A flight
-/// that fails is not an error: its row in the table has a status other than the intended end.
+/// [`SweepError`] if the number of threads is 0, the plan needs a state that the model does not have, or a file cannot be
+/// read or written. A flight that fails is not an error: its row in the table has a status other than the intended end.
 pub fn run(
     plan: &Plan,
     out: &Path,

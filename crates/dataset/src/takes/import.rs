@@ -13,7 +13,7 @@ use crate::takes::{Fault, Location};
 use crate::{Flight, Marker};
 use flight::table::listed;
 
-/// Acceleration downwards of free flights, over that of gravity, by which a unit of length is told: units differ by a
+/// Acceleration downwards of free flights, over that of gravity, by which a unit of length is recognised: units differ by a
 /// factor of 2.5 at least.
 const FALLS: std::ops::Range<f64> = 0.6..1.3;
 
