@@ -72,13 +72,17 @@ pub fn population(
         .collect()
 }
 
+/// Observations and initial state of a flight in an earlier fit, from which the search for its initial state starts;
+/// `None` if it starts from the samples.
+type Start<'a> = Option<(&'a Observations, &'a DVector<f64>)>;
+
 /// Predicts held-out flights; `contacts` contains earlier searches for contacts by index of the flight, or is empty.
-/// `population` are priors of states by their values in the fitted flights. Returns one result for each of `flights`;
-/// one that cannot be predicted is excluded.
-pub fn held_out(
+/// `start` says where the search for a flight's initial state starts. `population` are priors of states by their values
+/// in the fitted flights. Returns one result for each of `flights`; one that cannot be predicted is excluded.
+pub fn held_out<'a>(
     at: FixedGlobal<'_>,
     (dataset, contacts): (&Dataset, &[Option<ContactSearch>]),
-    flights: &[FlightId],
+    (flights, start): (&[FlightId], &(dyn Fn(FlightId) -> Start<'a> + Sync)),
     noise: &NoiseModel,
     population: &[StatePrior],
 ) -> Result<Vec<FlightResult>, FitError> {
@@ -87,12 +91,13 @@ pub fn held_out(
         options.stage_started("held-out flights", flights.len());
     }
     let found = parallel::each_on(options.threads(), flights.len(), |index| {
+        let start = start(flights[index]);
         let flight = flights[index].index();
         let search = contacts.get(flight).and_then(Option::as_ref);
         let flight = &dataset.flights[flight];
         let found = match options.is_past_deadline() {
             true => Err(FlightError::Deadline),
-            false => predict(at, (flight, search), noise, population),
+            false => predict(at, (flight, search), start, noise, population),
         };
         options.flight_done();
         found.unwrap_or_else(|reason| left_out(flight, &reason))
@@ -106,6 +111,7 @@ pub fn held_out(
 fn predict(
     at: FixedGlobal<'_>,
     (flight, search): (&Flight, Option<&ContactSearch>),
+    start: Start<'_>,
     noise: &NoiseModel,
     population: &[StatePrior],
 ) -> Result<FlightResult, FlightError> {
@@ -124,10 +130,7 @@ fn predict(
         return Err(FlightError::NothingToPredict { samples });
     }
     let segment = observations.first_samples(samples);
-    let guesses = refined_guesses(at, &segment)?;
-    let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-    let (_, guess) = best.ok_or(FlightError::NoMatchingState)?;
-    let (_, local) = at.fit_initial_state(&segment, samples, guess.state)?;
+    let local = conditioned(at, &segment, start)?;
     mark_outliers(problem, &mut observations, global, &local)?;
     // Autocorrelation of few residuals may be model error; white noise is the safest assumption.
     let white = noise.uncorrelated();
@@ -150,6 +153,28 @@ fn predict(
         state: local,
     };
     Ok((report, Some(fitted)))
+}
+
+/// Initial state of a conditioning segment, fitted from `start`, or else from the best of the guesses by the samples.
+fn conditioned(
+    at: FixedGlobal<'_>,
+    segment: &Observations,
+    start: Start<'_>,
+) -> Result<DVector<f64>, FlightError> {
+    let fitted = |state: DVector<f64>| {
+        let fitted = at.fit_initial_state(segment, segment.times.len(), state);
+        fitted.map(|(_, state)| state)
+    };
+    let start = start.filter(|(before, state)| {
+        before.origin == segment.origin && state.len() == segment.manifold.states()
+    });
+    if let Some(known) = start.and_then(|(_, state)| fitted(state.clone()).ok()) {
+        return Ok(known);
+    }
+    let guesses = refined_guesses(at, segment)?;
+    let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    let (_, guess) = best.ok_or(FlightError::NoMatchingState)?;
+    fitted(guess.state)
 }
 
 /// Predicts what was seen of a flight from the release in its summary.

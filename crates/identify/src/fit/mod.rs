@@ -162,6 +162,7 @@ fn fit_within(
     });
     let screened = Screened {
         dataset,
+        earlier,
         data_faults,
         contacts,
         held_out,
@@ -210,6 +211,8 @@ fn fit_within(
 /// Dataset whose recordings were screened for mistakes, with the faults found and the flights concerned.
 struct Screened<'a> {
     dataset: &'a Dataset,
+    /// Fit from whose estimates this one starts.
+    earlier: Option<&'a Fit>,
     data_faults: Vec<DataFault>,
     /// Searches for contacts, by index of the flight; empty if the fit did not screen the data.
     contacts: Vec<Option<ContactSearch>>,
@@ -248,7 +251,9 @@ impl Screened<'_> {
         let flights = (dataset, &self.contacts[..]);
         let population = held_out::population(problem, &state.flights, &solution.iterate.local);
         let at = state.fixed_global();
-        let predicted = held_out::held_out(at, flights, &self.held_out, &noise, &population)?;
+        let start = |flight: FlightId| self.earlier?.flight(flight);
+        let predicted =
+            held_out::held_out(at, flights, (&self.held_out, &start), &noise, &population)?;
         let mut results: BTreeMap<FlightId, FlightResult> = BTreeMap::new();
         for excluded in state.excluded.iter().chain(&self.faulty) {
             let flight = &dataset.flights[excluded.flight.index()];
