@@ -133,6 +133,22 @@ pub fn constant(c: f64) -> Option<Prime> {
     })
 }
 
+/// Common denominator of the numbers that [`small_number`] knows: decimals of up to three places, eighths and ninths.
+const DENOMINATOR: i64 = 9000;
+
+/// Upper limit of their numerators: a random element is taken for one of them with probability 2^-38.
+const MAX_NUMERATOR: u64 = 1 << 22;
+
+/// The number of small numerator and denominator that `a` stands for; `None` for any other element.
+pub fn small_number(a: Prime) -> Option<f64> {
+    let numerator = a * Prime::integer(DENOMINATOR);
+    let (size, sign) = least(numerator);
+    let is_negative = sign != Prime::one();
+    let size = (size.value() <= MAX_NUMERATOR).then(|| size.value() as f64)?;
+    let value = size / DENOMINATOR as f64;
+    Some(if is_negative { -value } else { value })
+}
+
 /// The square root of `a` that is itself a square; `None` if `a` has no root.
 pub fn root(a: Prime) -> Option<Prime> {
     let root = power(a, PRIME.div_ceil(4));

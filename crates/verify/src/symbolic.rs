@@ -22,6 +22,8 @@ pub struct Symbolic(pub Option<Prime>);
 #[derive(Default)]
 struct Context {
     angles: Vec<Angle>,
+    /// Numbers with their logarithms, of the exponentials and logarithms computed so far.
+    logarithms: Vec<(Prime, Prime)>,
     /// Whether the value of a function that is not rational is a symbol, see [`crate::field`]. If false, such a function
     /// has no value, except sine and cosine of a known angle.
     has_symbols: bool,
@@ -42,6 +44,7 @@ pub fn evaluate<R>(
     let states = spot.point.states.iter().zip(&spot.circles);
     CONTEXT.set(Context {
         angles: states.map(|(&state, &circle)| (state, circle)).collect(),
+        logarithms: Vec::new(),
         has_symbols,
     });
     let result = task(&spot.point.map(Symbolic::from));
@@ -73,6 +76,36 @@ fn polar(y: Prime, x: Prime) -> Option<Prime> {
     let found = symbol(|| field::angle(y, x))??;
     CONTEXT.with_borrow_mut(|context| context.angles.push(found));
     Some(found.0)
+}
+
+/// e^`a`, the number if `a` is the logarithm of one or its opposite.
+fn exponential(a: Prime) -> Prime {
+    CONTEXT.with_borrow_mut(|context| {
+        for &(number, logarithm) in &context.logarithms {
+            if a == logarithm {
+                return number;
+            }
+            if a == -logarithm {
+                return number.inverse();
+            }
+        }
+        let number = field::call(MathFunction::Exp, a);
+        context.logarithms.push((number, a));
+        number
+    })
+}
+
+/// Logarithm of `a`, the exponent if `a` is a power of e.
+fn logarithm(a: Prime) -> Prime {
+    CONTEXT.with_borrow_mut(|context| {
+        let mut known = context.logarithms.iter();
+        if let Some((_, logarithm)) = known.find(|(number, _)| *number == a) {
+            return *logarithm;
+        }
+        let logarithm = field::call(MathFunction::Log, a);
+        context.logarithms.push((a, logarithm));
+        logarithm
+    })
 }
 
 impl From<Prime> for Symbolic {
@@ -119,10 +152,10 @@ impl Real for Symbolic {
         Self(field::constant(value).or_else(|| symbol(|| field::literal(value))))
     }
 
-    /// Constant that replaces the real value in comparisons, because an element of the prime field has none. It is
-    /// inside the domain of every function and not a singular point.
+    /// Value in comparisons: that of a number such as −1.5; for any other element of the prime field, which has none, one
+    /// that is inside the domain of every function and not a singular point.
     fn re(self) -> f64 {
-        0.5
+        self.0.and_then(field::small_number).unwrap_or(0.5)
     }
 
     fn elementary(self, function: Elementary) -> Self {
@@ -131,6 +164,8 @@ impl Real for Symbolic {
             Elementary::Sin => self.map(|a| Some(circle(a)?.0)),
             Elementary::Cos => self.map(|a| Some(circle(a)?.1)),
             Elementary::Atan => self.map(|a| polar(a, Prime::one())),
+            Elementary::Exp => self.map(|a| symbol(|| exponential(a))),
+            Elementary::Log => self.map(|a| symbol(|| logarithm(a))),
             _ => {
                 let function =
                     MathFunction::named(function.name()).expect("a function of the compiler");

@@ -45,7 +45,7 @@ fn what_the_field_cannot_decide_is_said_and_refutes_nothing() {
 }
 
 #[test]
-fn functions_at_0_and_1_are_numbers_and_small_terms_beside_them_refute() {
+fn functions_of_numbers_are_numbers_and_small_terms_beside_them_refute() {
     let law = |term: &str| {
         let text = format!(
             "model same; param k = 0.7; param s = 1 s; frame N; state w = 0.1; der(w) = (k + {term}*w)/s;"
@@ -61,6 +61,16 @@ fn functions_at_0_and_1_are_numbers_and_small_terms_beside_them_refute() {
         "asin(0)",
         "atan(0)",
         "atan2(0, 1)",
+        "acos(0)",
+        "exp(log(2))",
+        "exp(-log(3))",
+        "log(exp(1))",
+        "log(exp(w))",
+        "abs(-1)",
+        "abs(-1.35)",
+        "sign(-2/3)",
+        "step(0)",
+        "tan(30 deg)",
     ];
     for term in terms {
         let model = law(term);
