@@ -214,7 +214,14 @@ fn of_function(function: Function, argument: Option<(f64, f64)>) -> Option<(f64,
     let everything = (f64::NEG_INFINITY, f64::INFINITY);
     let (least, greatest) = argument.unwrap_or(everything);
     Some(match function {
-        Function::Sin | Function::Cos | Function::Sign => (-1.0, 1.0),
+        Function::Sin => cosines(least - FRAC_PI_2, greatest - FRAC_PI_2),
+        Function::Cos => cosines(least, greatest),
+        Function::Tan => {
+            let (low, high) = cosines(least, greatest);
+            let is_away_from_zero = low > 0.0 || high < 0.0;
+            return is_away_from_zero.then(|| (least.tan(), greatest.tan()));
+        }
+        Function::Sign => (-1.0, 1.0),
         Function::Tanh => (least.tanh(), greatest.tanh()),
         Function::Step => (0.0, 1.0),
         Function::Atan => (least.atan(), greatest.atan()),
@@ -227,8 +234,29 @@ fn of_function(function: Function, argument: Option<(f64, f64)>) -> Option<(f64,
             (a.min(b), a.max(b))
         }
         Function::Abs => (0.0, least.abs().max(greatest.abs())),
-        Function::Tan | Function::Log | Function::Table(_) => return None,
+        Function::Log => return (least > 0.0).then(|| (least.ln(), greatest.ln())),
+        Function::Table(_) => return None,
     })
+}
+
+/// Cosines closer to zero are zero: 90 degrees in radians are not exact.
+const ZERO_COSINE: f64 = 1e-12;
+
+/// Range of the cosine over a range of angles, rad.
+fn cosines(least: f64, greatest: f64) -> (f64, f64) {
+    use std::f64::consts::{PI, TAU};
+    let cosine = |angle: f64| match angle.cos() {
+        value if value.abs() < ZERO_COSINE => 0.0,
+        value => value,
+    };
+    let contains = |angle: f64| {
+        let turns = |from: f64| (from - angle) / TAU;
+        turns(least).ceil() <= turns(greatest).floor()
+    };
+    let (one, other) = (cosine(least), cosine(greatest));
+    let low = if contains(PI) { -1.0 } else { one.min(other) };
+    let high = if contains(0.0) { 1.0 } else { one.max(other) };
+    (low, high)
 }
 
 /// Whether a validity limit of the model requires the expression `e` to exceed a bound of at least 0.
@@ -257,7 +285,8 @@ fn divisor(e: &Expr) -> Option<&Expr> {
 }
 
 impl Checker<'_> {
-    /// Reports divisors that may be zero, functions of numbers outside their domain, and tangents unless a validity limit keeps their cosine above zero.
+    /// Reports divisors that may be zero, functions of numbers outside their domain, and tangents unless bounds or a
+    /// validity limit keep their cosine away from zero.
     pub fn singularities(&mut self) {
         let mut faults: Vec<Diagnostic> = Vec::new();
         let signs = Signs::new(&self.model);
@@ -275,7 +304,8 @@ impl Checker<'_> {
                 if let ExprKind::Call(Function::Tan, angle) = &e.kind {
                     let mut cosine = e.clone();
                     cosine.kind = ExprKind::Call(Function::Cos, angle.clone());
-                    if !self.limited(&cosine) {
+                    let is_away_from_zero = signs.of(&cosine).never_zero();
+                    if !is_away_from_zero && !self.limited(&cosine) {
                         let text = self.text(angle.span);
                         let message =
                             format!("`{}` is infinite where cos({text}) = 0", self.text(e.span));

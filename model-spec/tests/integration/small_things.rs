@@ -288,3 +288,34 @@ fn what_is_set_may_be_spelt_as_in_the_model() {
     assert_eq!(model.params[1].value, 5.0);
     assert!(model.is_computed("twice") && !model.is_computed("m"));
 }
+
+#[test]
+fn divisors_and_tangents_of_bounded_angles_are_kept_from_zero() {
+    let angles = "param tilt = 10 deg in -80 .. 80 deg; param turn = 10 deg in -90 .. 90 deg;
+        coefficient a = 1.5 in 1.2 .. 2;";
+    for allowed in [
+        "tan(45 deg)",
+        "tan(tilt)",
+        "1/cos(30 deg)",
+        "1/sin(30 deg)",
+        "1/tan(-20 deg)",
+        "1/cos(tilt)",
+        "1/log(a)",
+        "1/log(2)",
+        "1/cos(pi)",
+    ] {
+        read(&format!("{angles} let b = {allowed};"));
+    }
+    for (wrong, what) in [
+        ("tan(90 deg)", "is infinite"),
+        ("tan(turn)", "is infinite"),
+        ("tan(100*tilt)", "is infinite"),
+        ("1/cos(270 deg)", "may be zero"),
+        ("1/sin(tilt)", "may be zero"),
+        ("1/sin(180 deg)", "may be zero"),
+        ("1/log(a - 0.2)", "may be zero"),
+    ] {
+        let message = refused(&format!("{angles} let b = {wrong};"));
+        assert!(message.contains(what), "{wrong}: {message}");
+    }
+}
