@@ -219,7 +219,7 @@ fn of_function(function: Function, argument: Option<(f64, f64)>) -> Option<(f64,
         Function::Tan => {
             let (low, high) = cosines(least, greatest);
             let is_away_from_zero = low > 0.0 || high < 0.0;
-            return is_away_from_zero.then(|| (least.tan(), greatest.tan()));
+            return is_away_from_zero.then(|| (rounded(least.tan()), rounded(greatest.tan())));
         }
         Function::Sign => (-1.0, 1.0),
         Function::Tanh => (least.tanh(), greatest.tanh()),
@@ -239,21 +239,20 @@ fn of_function(function: Function, argument: Option<(f64, f64)>) -> Option<(f64,
     })
 }
 
-/// Cosines closer to zero are zero: 90 degrees in radians are not exact.
-const ZERO_COSINE: f64 = 1e-12;
+/// Value of a function of an angle; 0 if it is as close to 0 as that of 180 degrees, which are not exact in radians.
+fn rounded(value: f64) -> f64 {
+    const NEGLIGIBLE: f64 = 1e-12;
+    if value.abs() < NEGLIGIBLE { 0.0 } else { value }
+}
 
 /// Range of the cosine over a range of angles, rad.
 fn cosines(least: f64, greatest: f64) -> (f64, f64) {
     use std::f64::consts::{PI, TAU};
-    let cosine = |angle: f64| match angle.cos() {
-        value if value.abs() < ZERO_COSINE => 0.0,
-        value => value,
-    };
     let contains = |angle: f64| {
         let turns = |from: f64| (from - angle) / TAU;
         turns(least).ceil() <= turns(greatest).floor()
     };
-    let (one, other) = (cosine(least), cosine(greatest));
+    let (one, other) = (rounded(least.cos()), rounded(greatest.cos()));
     let low = if contains(PI) { -1.0 } else { one.min(other) };
     let high = if contains(0.0) { 1.0 } else { one.max(other) };
     (low, high)
