@@ -22,7 +22,7 @@ pub struct Symbolic(pub Option<Prime>);
 #[derive(Default)]
 struct Context {
     angles: Vec<Angle>,
-    /// Numbers with their logarithms, of the exponentials and logarithms computed so far.
+    /// Numbers with their logarithms: 1, and those of the exponentials and logarithms computed so far.
     logarithms: Vec<(Prime, Prime)>,
     /// Whether the value of a function that is not rational is a symbol, see [`crate::field`]. If false, such a function
     /// has no value, except sine and cosine of a known angle.
@@ -44,7 +44,7 @@ pub fn evaluate<R>(
     let states = spot.point.states.iter().zip(&spot.circles);
     CONTEXT.set(Context {
         angles: states.map(|(&state, &circle)| (state, circle)).collect(),
-        logarithms: Vec::new(),
+        logarithms: vec![(Prime::one(), Prime::zero())],
         has_symbols,
     });
     let result = task(&spot.point.map(Symbolic::from));

@@ -276,9 +276,12 @@ fn is_same(random: &mut Random) -> bool {
 fn compared(seed: &str, count: usize) {
     let mut random = Random::new(46, seed);
     let mut compared = 0;
-    while compared < count {
-        compared += usize::from(is_same(&mut random));
+    for _ in 0..2 * count {
+        if compared < count {
+            compared += usize::from(is_same(&mut random));
+        }
     }
+    assert_eq!(compared, count);
 }
 
 #[test]
