@@ -4,7 +4,7 @@ use super::elaborate::node;
 use super::term::Term;
 use super::{Checker, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind};
-use crate::model::{self, Expr, ExprKind, FrameKind, Function, Shape};
+use crate::model::{self, ExprKind, FrameKind, Function, Shape};
 use crate::syntax::ast::ItemKind;
 use crate::unit::Unit;
 
@@ -97,10 +97,5 @@ impl Checker<'_> {
             reason,
             span,
         });
-    }
-
-    /// Whether a validity limit of the model requires the expression `e` to exceed a bound of at least 0.
-    pub fn limited(&self, e: &Expr) -> bool {
-        super::singular::limited(&self.model, e)
     }
 }

@@ -259,7 +259,7 @@ fn cosines(least: f64, greatest: f64) -> (f64, f64) {
 }
 
 /// Whether a validity limit of the model requires the expression `e` to exceed a bound of at least 0.
-pub(super) fn limited(model: &Model, e: &Expr) -> bool {
+fn limited(model: &Model, e: &Expr) -> bool {
     model.limits.iter().filter(|l| l.bound >= 0.0).any(|limit| {
         let (a, b) = (named(model, e), named(model, &limit.value));
         e.same(&limit.value) || a.same(b) || e.same(b) || a.same(&limit.value)
@@ -303,8 +303,7 @@ impl Checker<'_> {
                 if let ExprKind::Call(Function::Tan, angle) = &e.kind {
                     let mut cosine = e.clone();
                     cosine.kind = ExprKind::Call(Function::Cos, angle.clone());
-                    let is_away_from_zero = signs.of(&cosine).never_zero();
-                    if !is_away_from_zero && !self.limited(&cosine) {
+                    if !signs.of(&cosine).never_zero() {
                         let text = self.text(angle.span);
                         let message =
                             format!("`{}` is infinite where cos({text}) = 0", self.text(e.span));
