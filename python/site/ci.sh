@@ -9,12 +9,12 @@ target=${CARGO_TARGET_DIR:-$root/target}
 target=$(cd "$target" && pwd)
 venv=${SITE_VENV:-$target/python-ci}
 out=$target/site
-export PATH=$venv/bin:$PATH SITE_BUILD=$target/site-build NO_MKDOCS_2_WARNING=1
+export PATH=$venv/bin:$PATH VIRTUAL_ENV=$venv SITE_BUILD=$target/site-build NO_MKDOCS_2_WARNING=1
 rm -rf "$SITE_BUILD" "$out"
 mkdir -p "$SITE_BUILD" "$target/site-node"
 
 echo "== tools"
-pip install --quiet --disable-pip-version-check --requirement requirements.txt
+uv pip install --quiet --requirement requirements.txt
 cp package.json axe.js "$target/site-node"
 if command -v npm > /dev/null; then
     (cd "$target/site-node" && npm install --silent --no-fund --no-audit --ignore-scripts)
