@@ -1,8 +1,10 @@
 //! Random models with functions, arrays, sums and systems, and the same models written out by hand: every backend computes
-//! the same, derivatives are exact, and the comparison of models says that they are the same function.
+//! the same, derivatives are exact, and the comparison of models says that they are the same function. The formatter does
+//! not change what is computed.
 
 use crate::support::QUICK;
-use codegen::{Compiled, compile};
+use codegen::{Compiled, compile, ir};
+use model_spec::format as lay_out;
 use model_spec::load::from_text;
 use model_spec::model::Model;
 use std::fmt::Write;
@@ -293,4 +295,29 @@ fn random_models_are_what_is_written_out_by_hand() {
 #[ignore = "a thousand models: minutes"]
 fn a_thousand_random_models_are_what_is_written_out_by_hand() {
     compared("many", 1000);
+}
+
+fn laid_out(seed: &str, count: usize) {
+    let mut random = Random::new(46, seed);
+    for _ in 0..count {
+        let text = Texts::drawn(&mut random).short;
+        let formatted = lay_out("drawn", &text).unwrap();
+        assert_eq!(lay_out("drawn", &formatted).unwrap(), formatted, "{text}");
+        let [before, after] = [&text, &formatted].map(|text| {
+            let model = from_text("drawn", text, &[]).unwrap();
+            ir::json(&model).unwrap()
+        });
+        assert!(before == after, "{text}\n{formatted}");
+    }
+}
+
+#[test]
+fn random_models_compute_the_same_after_the_formatter() {
+    laid_out("few", 100);
+}
+
+#[test]
+#[ignore = "ten thousand models: minutes"]
+fn ten_thousand_random_models_compute_the_same_after_the_formatter() {
+    laid_out("many", 10_000);
 }
