@@ -400,9 +400,9 @@ pub struct Synthesize {
     pub out: PathBuf,
 }
 
-#[derive(Args)]
+#[derive(Clone, Args)]
 pub struct Import {
-    /// Recordings: motion-capture files of a laboratory, or with --launch-monitor the table of the shots
+    /// Recordings: motion-capture files of a laboratory or folders of them, or with --launch-monitor the table of the shots
     #[arg(required = true, value_name = "TAKE")]
     pub takes: Vec<PathBuf>,
     /// Format: c3d, vicon, qualisys, qualisys-6dof, optitrack, dltdv, poses or csv; by default recognised by the content

@@ -242,7 +242,7 @@ class Dataset:
         Parameters
         ----------
         takes : iterable of path, or path
-            Recordings: C3D, Vicon, Qualisys, OptiTrack, DLTdv8, poses or CSV.
+            Recordings, or folders of them: C3D, Vicon, Qualisys, OptiTrack, DLTdv8, poses or CSV.
         model : str or path, optional
             Model; by default that of the template.
         markers : path, optional

@@ -25,6 +25,8 @@ def extra(name: str) -> ModuleType:
 
 def frame_of(text: str, **options: Any) -> pd.DataFrame:
     """Return a table of the program as a DataFrame."""
-    # The parser that pandas 2 takes by itself is off by a unit in the last place.
-    options = {"float_precision": "round_trip", **options}
-    return cast("pd.DataFrame", extra("pandas").read_csv(io.StringIO(text), **options))
+    pandas = extra("pandas")
+    if pandas.__version__.startswith("2."):
+        # Its default parser is off by a unit in the last place.
+        options["float_precision"] = "round_trip"
+    return cast("pd.DataFrame", pandas.read_csv(io.StringIO(text), **options))

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the notebooks and the code of pages, builds the site and checks its links, anchors and accessibility.
+# Runs the notebooks and the recipes, builds the site and checks its links, anchors and accessibility.
 # Runs after python/ci.sh, in the environment with the package that it made. Node and Chromium check the accessibility; without them that is skipped.
 # With --rustdoc the site has the API of the crates too, which compiles what they depend on.
 set -euo pipefail
@@ -21,9 +21,9 @@ if command -v npm > /dev/null; then
 fi
 (cd .. && ruff check . ../docs/notebooks && ruff format --check . ../docs/notebooks)
 
-echo "== code of pages, and shares by each scheduler"
+echo "== shares by each scheduler"
 cd "$root"
-python -m pytest --quiet -c python/pyproject.toml --rootdir python --import-mode importlib python/tests/test_{pages,recipes}.py
+python -m pytest --quiet -c python/pyproject.toml --rootdir python --import-mode importlib python/tests/test_recipes.py
 
 echo "== notebooks"
 python "$here/notebooks.py" --out "$SITE_BUILD/notebooks" 2> "$SITE_BUILD/.log" || { tail -40 "$SITE_BUILD/.log"; exit 1; }

@@ -158,6 +158,41 @@ fn recordings_become_a_dataset_that_is_fitted() {
 }
 
 #[test]
+fn a_folder_stands_for_its_recordings() {
+    let around = tempfile::tempdir().expect("a folder");
+    let takes = around.path().join("takes");
+    std::fs::create_dir(&takes).expect("a folder");
+    let (mut by_files, _) = importing(&takes, vicon);
+    std::fs::write(takes.join("notes.md"), "windy").expect("written");
+    std::fs::write(takes.join(".take0.csv"), "hidden").expect("written");
+    let mut by_folder = hyzer();
+    by_folder.arg("import").arg(&takes);
+    let labels = ["--label", "A=m1", "--label", "B=m2", "--label", "rim C=m3"];
+    let read = |command: &mut Command, name: &str| {
+        let out = around.path().join(name);
+        command.args(["--up", "+y", "--markers", TEMPLATE]);
+        let (status, _, errors) = told(command.args(labels).arg("--out").arg(&out));
+        assert_eq!(status, 0, "{errors}");
+        let read = |file: &str| std::fs::read_to_string(out.join(file)).expect("a file");
+        ["dataset.toml", "import.txt", "flight08.csv"].map(read)
+    };
+    let expected = read(&mut by_files, "by_files");
+    assert_eq!(read(&mut by_folder, "by_folder"), expected);
+
+    let refused = |folder: &Path| {
+        let out = around.path().join("refused");
+        let (status, _, errors) = told(hyzer().arg("import").arg(folder).arg("--out").arg(&out));
+        assert_eq!(status, 2, "{errors}");
+        errors
+    };
+    let empty = around.path().join("empty");
+    std::fs::create_dir(&empty).expect("a folder");
+    assert!(refused(&empty).contains("found no recording in this folder"));
+    let dataset = around.path().join("by_files");
+    assert!(refused(&dataset).contains("found a dataset, expected recordings"));
+}
+
+#[test]
 fn a_free_flight_is_not_cut() {
     let around = tempfile::tempdir().expect("a folder");
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");

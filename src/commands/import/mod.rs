@@ -1,6 +1,7 @@
 //! Command `hyzer import`: converts recordings of laboratories to a dataset, cut to the free flights.
 
 mod estimated;
+mod folders;
 mod shots;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -81,6 +82,11 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
             "--centre-height: found {height}, expected metres, at most {MAX_HEIGHT} (millimetres?)"
         );
     }
+    let takes = folders::recordings(&options.takes)?;
+    let options = &Import {
+        takes,
+        ..options.clone()
+    };
     if options.launch_monitor {
         return shots::imported(options);
     }
