@@ -26,7 +26,7 @@ uv pip install --quiet --reinstall --no-deps "$target"/python-wheels/*.whl
 
 echo "== ruff, mypy, pyright, stubs, beside the tests"
 static() {
-    ruff check . && ruff format --check . && mypy && pyright --pythonpath "$venv/bin/python" && stubtest hyzer._hyzer
+    ruff check . ../docs/notebooks && ruff format --check . ../docs/notebooks && mypy && pyright --pythonpath "$venv/bin/python" && stubtest hyzer._hyzer
 }
 static >"$target/python-static.log" 2>&1 &
 checks=$!

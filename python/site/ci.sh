@@ -16,10 +16,10 @@ mkdir -p "$SITE_BUILD" "$target/site-node"
 echo "== tools"
 uv pip install --quiet --requirement requirements.txt
 cp package.json axe.js "$target/site-node"
-if command -v npm > /dev/null; then
-    (cd "$target/site-node" && npm install --silent --no-fund --no-audit --ignore-scripts)
+has_node=false
+if command -v npm > /dev/null && (cd "$target/site-node" && npm install --silent --no-fund --no-audit --ignore-scripts); then
+    has_node=true
 fi
-(cd .. && ruff check . ../docs/notebooks && ruff format --check . ../docs/notebooks)
 
 echo "== shares by each scheduler"
 cd "$root"
@@ -40,8 +40,8 @@ mkdocs build --config-file "$here/mkdocs.yml" --site-dir "$out"
 python "$here/check.py" "$out"
 
 echo "== accessibility, 1280 and 390 px"
-if command -v node > /dev/null && command -v chromium > /dev/null; then
+if $has_node && command -v chromium > /dev/null; then
     node "$target/site-node/axe.js" "$out"
 else
-    echo "skipped: no node or no Chromium"
+    echo "skipped: no Node with its packages, or no Chromium"
 fi
