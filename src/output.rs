@@ -138,9 +138,22 @@ pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Formats an error with its chain of causes for the terminal, prefixed by `error: `.
+/// Text of an error with its causes; a cause that an error before it states is not told again.
+pub fn chain(error: &anyhow::Error) -> String {
+    let mut text = String::new();
+    for cause in error.chain().map(ToString::to_string) {
+        if text.is_empty() {
+            text = cause;
+        } else if !text.contains(&cause) {
+            text = format!("{text}: {cause}");
+        }
+    }
+    text
+}
+
+/// Formats an error with its causes for the terminal, prefixed by `error: `.
 pub fn error_text(error: &anyhow::Error) -> String {
-    let text = format!("{error:#}");
+    let text = chain(error);
     // Rendered diagnostics of a model file already have headings.
     let has_heading = text.contains("] Error:");
     if has_heading {

@@ -12,6 +12,7 @@ use crate::{Answer, cli, commands, output, progress};
 pub use crate::commands::{
     bootstrap, check, design, diagnose, fit, import, simulate, stability, sweep,
 };
+pub use crate::output::chain;
 
 /// Runs the program with its arguments, the first of which is the name of the program, and returns the exit status. It
 /// installs handlers of signals, and ends the process where the arguments are wrong or ask for help.

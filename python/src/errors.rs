@@ -56,7 +56,7 @@ pub fn raise(error: impl Into<Error>) -> PyErr {
 /// The exception for an error of the library; of the class `class` where the error says no other.
 pub fn raise_or(class: &'static str, error: impl Into<Error>) -> PyErr {
     let error = error.into();
-    let text = format!("{error:#}");
+    let text = hyzer::program::chain(&error);
     let known = error.chain().find_map(about);
     build(known.unwrap_or_else(|| About::of(class)), &text)
 }

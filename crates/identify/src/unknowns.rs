@@ -56,7 +56,7 @@ impl Resolved<'_> {
         (effect, coefficients): &(&str, [&str; N]),
         errors: [f64; N],
     ) -> Result<(), FitError> {
-        if !self.has(effect) {
+        if !self.has(effect, coefficients) {
             self.model = self.extended(effect).map_err(|error| FitError::Sensor {
                 model: self.model.name.clone(),
                 reason: format!("{effect}, for a position on the body that is not known: {error}"),
@@ -96,8 +96,11 @@ impl Resolved<'_> {
         Ok(())
     }
 
-    fn has(&self, effect: &str) -> bool {
+    /// Whether the model has the effect, by name or written into its text with its coefficients.
+    fn has(&self, effect: &str, coefficients: &[&str]) -> bool {
+        let is_declared = |name: &&str| self.model.params.iter().any(|own| own.name == **name);
         self.model.effects.iter().any(|own| own.name == effect)
+            || coefficients.iter().all(is_declared)
     }
 
     /// The model with an effect more.
@@ -145,7 +148,7 @@ pub fn resolve<'d>(
     }
     if let Some(error) = dataset.axis_error {
         // A model whose markers have no place on the body by name takes the template as it is.
-        if resolved.has(TILT.0) || resolved.extended(TILT.0).is_ok() {
+        if resolved.has(TILT.0, &TILT.1) || resolved.extended(TILT.0).is_ok() {
             resolved.free(&TILT, [error; 2])?;
         }
         resolved.dataset.to_mut().axis_error = None;

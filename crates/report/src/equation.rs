@@ -49,7 +49,9 @@ fn converted(latex: &str, display_mode: DisplayMode) -> Option<String> {
     };
     push_mathml(&mut text, Parser::new(latex, &storage), config).ok()?;
     // A parser that stops at an error writes the error into the text.
-    (!text.contains("<merror")).then_some(text)
+    let is_whole = !text.contains("<merror");
+    // The space of LaTeX's `~` comes out escaped twice.
+    is_whole.then(|| text.replace("&amp;nbsp;", "\u{a0}"))
 }
 
 /// Equations that an effect added or replaced, as MathML; empty if it is not switched on.
@@ -132,5 +134,7 @@ mod tests {
             }
         }
         assert_eq!(mathml(r"\left( x"), None);
+        let spaced = mathml(r"\text{normal~load}").unwrap();
+        assert!(spaced.contains("normal\u{a0}load"), "{spaced}");
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn run(
         let flight = match flown {
             Ok(flight) => flight,
             Err(error) => {
-                flights.push((row, Err(format!("{error:#}"))));
+                flights.push((row, Err(output::chain(&error))));
                 continue;
             }
         };

@@ -33,6 +33,15 @@ pub fn unit(ratio: f64) -> Option<(f64, &'static str)> {
     UNITS.iter().copied().find(|(length, _)| near(*length))
 }
 
+/// Names of two units, where coordinates in the first that are read as if in the second come out `ratio` times too large.
+pub fn confused(ratio: f64) -> Option<(&'static str, &'static str)> {
+    let read_as = |own: f64, read: f64| (ratio * own / read - 1.0).abs() < UNIT_TOLERANCE;
+    UNITS.iter().find_map(|&(own, name)| {
+        let read = UNITS.iter().find(|(read, _)| read_as(own, *read));
+        read.map(|(_, other)| (name, *other))
+    })
+}
+
 /// Correction of positions, named by `which`, that are in a unit of `length` metres.
 pub fn correction(which: &str, length: f64) -> String {
     let multiplied = format!("multiply {which} by {length}");

@@ -1,6 +1,6 @@
 //! Faults that distances between markers reveal: a unit of length, exchanged labels, a misplaced marker.
 
-use super::distances::{Distances, MAX_MARKERS, correction, unit};
+use super::distances::{Distances, MAX_MARKERS, confused, correction, unit};
 use crate::error::{DataFault, FaultKind};
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight, Marker};
@@ -41,11 +41,20 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
             ),
             format!("multiply the markers' positions in dataset.toml by {length}"),
         ),
-        (None, None) => (
-            format!("distances between markers are {ratio:.3} times those of the template"),
-            "check the markers' positions in dataset.toml and the calibration of the cameras"
-                .into(),
-        ),
+        (None, None) => {
+            let read = confused(ratio);
+            let as_if = read.map(|(own, read)| format!(", as if {own} had been read as {read}"));
+            (
+                format!(
+                    "distances between markers are {ratio:.3} times those of the template{}",
+                    as_if.unwrap_or_default()
+                ),
+                match read {
+                    Some((own, _)) => format!("state that the recording of {} is in {own}", flight.file),
+                    None => "check the markers' positions in the template and the calibration of the cameras".into(),
+                },
+            )
+        }
     };
     Some(DataFault::new(flight, FaultKind::Units, detail, correction))
 }

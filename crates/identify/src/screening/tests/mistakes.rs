@@ -4,17 +4,21 @@ use model_spec::model::Model;
 
 use super::{Spoil, ball, calm_disc, disc, disc_releases, each_point, found, kinds, plan, spoiled};
 use crate::error::FaultKind;
+use crate::screening::distances::confused;
 use dataset::synthesize::{Plan, flights};
 use dataset::{Dataset, Flight, Marker};
 
 /// Recording mistakes that can occur in flights of any body: name, expected kind of data fault, and the function that
 /// introduces the mistake into a flight.
-const SPOILS: [(&str, FaultKind, Spoil); 7] = [
+const SPOILS: [(&str, FaultKind, Spoil); 8] = [
     ("feet", FaultKind::Units, |f| {
         each_point(f, |p| p.map(|x| x / 0.3048));
     }),
     ("centimetres", FaultKind::Units, |f| {
         each_point(f, |p| p.map(|x| x * 100.0));
+    }),
+    ("millimetres read as centimetres", FaultKind::Units, |f| {
+        each_point(f, |p| p.map(|x| x * 10.0));
     }),
     ("z down", FaultKind::Axes, |f| {
         each_point(f, |[x, y, z]| [x, -y, -z]);
@@ -179,4 +183,11 @@ fn each_random(flight: &mut Flight, state: &mut u64) {
             (*state >> 40) as f64 / (1_u64 << 24) as f64
         });
     }
+}
+
+#[test]
+fn two_confused_units_are_named() {
+    assert_eq!(confused(10.0), Some(("millimetres", "centimetres")));
+    assert_eq!(confused(1.0 / 12.0), Some(("feet", "inches")));
+    assert_eq!(confused(1.5), None);
 }
