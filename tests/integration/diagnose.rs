@@ -81,6 +81,28 @@ fn the_readme_s_command_names_what_was_hidden_and_measures_the_gain() {
 }
 
 #[test]
+fn an_extended_model_is_fitted_to_flights_whose_template_is_estimated() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (data, out) = (folder.path().join("data"), folder.path().join("found"));
+    std::fs::create_dir(&data).expect("a folder");
+    for entry in std::fs::read_dir("examples/mystery").expect("the example") {
+        let file = entry.expect("a file").path();
+        std::fs::copy(&file, data.join(file.file_name().expect("a name"))).expect("a copy");
+    }
+    let manifest = std::fs::read_to_string(data.join("dataset.toml")).expect("a dataset");
+    let errors = "[template]\norigin_error = [0.0003, 0.0002, 0.004]\naxis_error = 0.004\n\n";
+    let manifest = manifest.replacen("[parameters]", &format!("{errors}[parameters]"), 1);
+    std::fs::write(data.join("dataset.toml"), manifest).expect("written");
+    let (status, _, errors) = told(hyzer().arg("diagnose").arg(&data).arg("--out").arg(&out));
+    assert_eq!(status, 0, "{errors}");
+    let extended = out.join("extended.hyz");
+    let text = std::fs::read_to_string(&extended).expect("a model");
+    assert!(text.contains("coefficient offset_3"), "{text}");
+    let (status, text, errors) = told(hyzer().arg("fit").arg(&data).arg("--model").arg(&extended));
+    assert!(status == 0 && text.contains("offset_3"), "{text}{errors}");
+}
+
+#[test]
 fn where_nothing_is_hidden_nothing_is_found() {
     let folder = tempfile::tempdir().expect("a folder");
     for example in ["examples/disc", "examples/ball"] {

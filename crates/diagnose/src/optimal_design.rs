@@ -155,15 +155,17 @@ fn sentence(throw: &Throw, after: f64, now: f64) -> String {
             DRAWN.0
         );
     }
+    // A rounded -0.2 is 0, not -0.
+    let whole = |value: f64| value.round() + 0.0;
     format!(
         "throw at {:.0} m/s, launch angle {:.0}°, nose angle {:.0}°, hyzer angle {:.0}°, spin {:.0} rpm, heading {:.0}°: the \
          closest explanations would be {after:.1} standard deviations apart ({now:.1} now)",
         throw.speed,
-        throw.launch,
-        throw.nose.unwrap_or(0.0),
-        throw.hyzer.unwrap_or(0.0),
-        throw.spin.unwrap_or(0.0),
-        throw.heading
+        whole(throw.launch),
+        whole(throw.nose.unwrap_or(0.0)),
+        whole(throw.hyzer.unwrap_or(0.0)),
+        whole(throw.spin.unwrap_or(0.0)),
+        whole(throw.heading)
     )
 }
 
@@ -290,14 +292,14 @@ mod tests {
     fn a_throw_is_recommended_only_if_it_helps() {
         let throw = Throw {
             launch: 6.0,
-            nose: Some(0.0),
+            nose: Some(-0.2),
             hyzer: Some(11.0),
             spin: Some(570.0),
             ..Throw::at_speed(20.0)
         };
         let text = sentence(&throw, 5.0, 4.5);
         assert!(
-            text.starts_with("throw at 20 m/s, launch angle 6°"),
+            text.starts_with("throw at 20 m/s, launch angle 6°, nose angle 0°"),
             "{text}"
         );
         assert!(

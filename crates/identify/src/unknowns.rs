@@ -98,7 +98,8 @@ impl Resolved<'_> {
 
     /// Whether the model has the effect, by name or written into its text with its coefficients.
     fn has(&self, effect: &str, coefficients: &[&str]) -> bool {
-        let is_declared = |name: &&str| self.model.params.iter().any(|own| own.name == **name);
+        let is_declared =
+            |name: &&str| self.model.coefficients.iter().any(|own| own.name == **name);
         self.model.effects.iter().any(|own| own.name == effect)
             || coefficients.iter().all(is_declared)
     }

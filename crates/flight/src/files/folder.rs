@@ -279,15 +279,13 @@ pub(super) fn files_below(folder: &Path) -> io::Result<Vec<String>> {
 fn try_writing(folder: &Path) -> io::Result<()> {
     let prefix = ".hyzer-trial-";
     let tried = tempfile::Builder::new().prefix(prefix).tempdir_in(folder);
-    tried.and_then(tempfile::TempDir::close).map_err(of_system)
-}
-
-/// The error of the system, without the name of the temporary file at which it occurred.
-fn of_system(error: io::Error) -> io::Error {
-    let cause = error.get_ref().and_then(|own| own.source());
-    let cause = cause.and_then(|own| own.downcast_ref::<io::Error>());
-    let code = cause.and_then(io::Error::raw_os_error);
-    code.map_or(error, io::Error::from_raw_os_error)
+    let tried = tried.and_then(tempfile::TempDir::close);
+    tried.map_err(|error| {
+        // The name of the temporary file says nothing to a user.
+        let text = error.to_string();
+        let own = text.split(" at path ").next().unwrap_or(&text);
+        io::Error::new(error.kind(), own.to_owned())
+    })
 }
 
 /// Whether a folder is the current working directory or contains it, so that processes may be using it.
