@@ -41,5 +41,5 @@ wait "$checks" || { cat "$target/python-static.log"; exit 1; }
 cat "$target/python-static.log"
 tests -m alone python/tests --ignore python/tests/ir
 if [ "${1:-}" = --all ]; then
-    (cd "$root" && pytest --quiet -n auto -c /dev/null --rootdir python/tests/ir python/tests/ir)
+    (cd "$root" && pytest --quiet -n auto -c /dev/null --rootdir python/tests/ir --confcutdir python/tests/ir python/tests/ir)
 fi

@@ -52,19 +52,30 @@ pub fn html(page: &ImportPage) -> String {
 
 /// Notes on the recordings, with their names if there are several, and the recordings without a flight.
 fn notes(page: &ImportPage) -> Vec<String> {
-    let of_take = |take: &ImportedTake| {
+    let mut found: Vec<(String, Vec<&str>)> = Vec::new();
+    for take in &page.takes {
         let empty = take.flights.is_empty();
         let empty = empty.then(|| "no throw was found".to_owned());
-        let notes = take.notes.iter().cloned().chain(empty);
-        let file = take.file.clone();
-        notes
-            .map(move |note| match page.takes.len() {
-                1 => capitalized(&note),
-                _ => format!("{file}: {note}"),
-            })
-            .collect::<Vec<_>>()
+        for note in take.notes.iter().cloned().chain(empty) {
+            match found.iter_mut().find(|(own, _)| *own == note) {
+                Some((_, files)) => files.push(&take.file),
+                None => found.push((note, vec![&take.file])),
+            }
+        }
+    }
+    let told = |(note, files): (String, Vec<&str>)| match page.takes.len() {
+        1 => capitalized(&note),
+        _ => format!("{}: {note}", first_of(&files)),
     };
-    page.takes.iter().flat_map(of_take).collect()
+    found.into_iter().map(told).collect()
+}
+
+/// The first of several recordings, and how many more there are.
+fn first_of(files: &[&str]) -> String {
+    match files.len() {
+        1 => files[0].to_owned(),
+        n => format!("{} and {} more", files[0], n - 1),
+    }
 }
 
 /// Tables of decisions, one for all recordings on which they are the same; their lengths do not count.
@@ -91,11 +102,7 @@ fn decisions(page: &ImportPage) -> Html {
             .table();
         let mut content = Html::new();
         if page.takes.len() > 1 {
-            let others = match files.len() {
-                1 => String::new(),
-                n => format!(" and {} more", n - 1),
-            };
-            content.heading(format!("{}{others}", files[0]));
+            content.heading(first_of(files));
         }
         content.table(&table);
         tables.element("div", "", content);
