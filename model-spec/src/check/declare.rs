@@ -43,6 +43,7 @@ impl<'a> Checker<'a> {
         }
         self.find_state_sets();
         self.declare_unknowns();
+        self.array_names();
     }
 
     /// Checks the statements `model NAME;` and `reference NAME;`: each may occur at most once, and `model` is required.
@@ -264,8 +265,10 @@ impl<'a> Checker<'a> {
 
     fn marker(&mut self, marker: &ast::Marker) {
         if let Some(first) = &self.model.marker {
-            let first = first.span;
-            self.second("marker", first, marker.name.span);
+            let fault = stated_twice("marker", first.span, marker.name.span);
+            self.report(fault.help(
+                "keep one of them: it stands for all markers, whose places come with each recording",
+            ));
             return;
         }
         let frame = self.frame_of(&marker.frame);

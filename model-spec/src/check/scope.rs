@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::model::Function;
-use crate::syntax::ast::Name;
+use crate::syntax::ast::{ItemKind, Name};
 use crate::syntax::reserved::{FIXED, OF_BODY};
 
 /// Declared entity that a name refers to, such as a parameter or a state, by index into the model's vectors.
@@ -96,6 +96,34 @@ impl Checker<'_> {
     }
 
     pub fn define_as(&mut self, name: &str, span: Span, symbol: Symbol) -> bool {
+        if !self.has_free_name(name, span) {
+            return false;
+        }
+        self.scope.values.insert(name.to_owned(), (symbol, span));
+        self.scope.order.push(name.to_owned());
+        true
+    }
+
+    /// Reports arrays that have the name of another value or of a function of the language.
+    pub fn array_names(&mut self) {
+        let file = self.file;
+        let mut last = None;
+        for written in
+            { file.items.iter() }.filter_map(|item| item.expanded.as_ref()?.written_array())
+        {
+            let is_value = |name: &&Name| {
+                !matches!(written, ItemKind::Load(_) | ItemKind::Equation(_))
+                    && last != Some(name.span)
+            };
+            if let Some(name) = written.array_name().filter(is_value) {
+                last = Some(name.span);
+                self.has_free_name(&name.text, name.span);
+            }
+        }
+    }
+
+    /// Whether a value or an array may have the name; otherwise reports an error.
+    fn has_free_name(&mut self, name: &str, span: Span) -> bool {
         let reserved = if FIXED.contains(&name) {
             Some(format!("`{name}` has a fixed meaning in this language"))
         } else if function_names().any(|known| known == name) {
@@ -116,8 +144,6 @@ impl Checker<'_> {
             self.report(declared_twice(&format!("`{name}`"), first, span));
             return false;
         }
-        self.scope.values.insert(name.to_owned(), (symbol, span));
-        self.scope.order.push(name.to_owned());
         true
     }
 

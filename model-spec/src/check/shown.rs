@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::diagnostic::Diagnostic;
-use crate::syntax::ast::{File, Item, ItemKind};
+use crate::syntax::ast::{File, Item};
 
 /// Replaces in messages the names that expansion has made.
 pub(super) fn show_written_names(file: &File, faults: &mut [Diagnostic]) {
@@ -34,10 +34,7 @@ pub(super) fn written(item: &Item) -> Option<(&str, String)> {
         let (_, local) = local.split_once('_')?;
         return Some((name, local.to_owned()));
     }
-    let ItemKind::Array(array) = &origin.from.written.kind else {
-        return None;
-    };
-    let own = &array.statement.array_name()?.text;
+    let own = &origin.written_array()?.array_name()?.text;
     let subscripts = name.strip_prefix(own.as_str())?.strip_prefix('_')?;
     Some((name, format!("{own}[{}]", subscripts.replace('_', ", "))))
 }

@@ -111,3 +111,13 @@ pub struct Expanded {
     /// Source span of the call to whose function an auxiliary variable belongs; `None` for other statements.
     pub call: Option<Span>,
 }
+
+impl Expanded {
+    /// Statement of the array of which this is an element; `None` for other statements.
+    pub(crate) fn written_array(&self) -> Option<&ItemKind> {
+        match &self.from.written.kind {
+            ItemKind::Array(array) if self.call.is_none() => Some(&array.statement),
+            _ => None,
+        }
+    }
+}
