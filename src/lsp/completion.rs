@@ -1,7 +1,7 @@
 //! Names, words and units that may stand at a place.
 
-use model_spec::symbols::{BodyQuantity, Declaration, INNER, SymbolKind};
-use model_spec::syntax::words::statements_of;
+use model_spec::symbols::{BodyQuantity, Declaration, SymbolKind};
+use model_spec::syntax::words::{BLOCKS, statements_of};
 use model_spec::unit::symbol;
 use serde_json::{Value, json};
 
@@ -10,7 +10,7 @@ use super::facts;
 use super::hover::facts_of;
 use super::includes;
 use super::project::Project;
-use super::words::{built_in, statements};
+use super::words::{Word, built_in, find, inner, statements};
 
 /// Units that are offered besides all symbols without a prefix.
 const COMPOUND: [&str; 18] = [
@@ -27,6 +27,18 @@ enum Place {
     /// Behind a colon: a unit, or `vector`.
     Type,
     Frame,
+    /// Behind the frame that another is turned from.
+    Turn,
+    /// Behind `by`, of a frame.
+    Quaternion,
+    /// What a case sets.
+    Given,
+    /// What a case expects.
+    Computed,
+    /// Number of a component or an axis.
+    Part,
+    /// Name of a load.
+    Load,
     Expression,
 }
 
@@ -40,11 +52,7 @@ pub fn complete(document: &Document, project: &Project<'_>, position: &Value) ->
     let before = &document.text[..offset];
     let is_of_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\u{307}' | '\u{308}');
     let before = before.trim_end_matches(is_of_word);
-    let words = |words: &[(&str, &str, &str)], kind: u8| -> Vec<Value> {
-        let items = words.iter();
-        let item = |(word, form, doc): &(&str, &str, &str)| json!({ "label": word, "kind": kind, "detail": form, "documentation": doc });
-        items.map(item).collect()
-    };
+    let of_kinds = |kinds: &[SymbolKind]| names(project, at, |kind| kinds.contains(&kind));
     match place(before) {
         Place::Nothing => json!([]),
         Place::Statement => {
@@ -68,17 +76,69 @@ pub fn complete(document: &Document, project: &Project<'_>, position: &Value) ->
             Value::Array(items)
         }
         Place::Frame => {
-            let frames = names(project, at, |kind| kind == SymbolKind::Frame);
+            let frames = of_kinds(&[SymbolKind::Frame]);
             Value::Array(frames)
         }
+        Place::Turn => Value::Array(keywords(&["turned", "by"])),
+        Place::Quaternion => Value::Array(keywords(&["quaternion"])),
+        Place::Given => Value::Array(of_kinds(&GIVEN)),
+        Place::Computed => {
+            let mut items = of_kinds(&[SymbolKind::Quantity, SymbolKind::Unknown]);
+            items.extend(keywords(&["der"]));
+            Value::Array(items)
+        }
+        Place::Part => {
+            let parts = ["1", "2", "3"];
+            parts
+                .map(|part| json!({ "label": part, "kind": 5 }))
+                .into_iter()
+                .collect()
+        }
+        Place::Load => Value::Array(of_kinds(&[SymbolKind::Force, SymbolKind::Moment])),
         Place::Expression => {
             let mut items = names(project, at, |kind| !is_heading(kind));
             items.extend(of_bodies(project));
             items.extend(words(&built_in(), 3));
-            items.extend(words(&INNER.map(|word| (word, "", "")), 14));
+            items.extend(changes_of_frame(project, at));
+            items.extend(words(&inner(), 14));
+            items.retain(|own| own["label"] != "in_");
             Value::Array(items)
         }
     }
+}
+
+/// What a case sets.
+const GIVEN: [SymbolKind; 5] = [
+    SymbolKind::Parameter,
+    SymbolKind::Coefficient,
+    SymbolKind::Input,
+    SymbolKind::State,
+    SymbolKind::Marker,
+];
+
+fn words(words: &[Word], kind: u8) -> Vec<Value> {
+    let item = |(word, form, doc): &Word| json!({ "label": word, "kind": kind, "detail": form, "documentation": doc });
+    words.iter().map(item).collect()
+}
+
+fn keywords(wanted: &[&str]) -> Vec<Value> {
+    let found: Vec<Word> = { wanted.iter() }
+        .filter_map(|word| find(word, true))
+        .collect();
+    words(&found, 14)
+}
+
+/// `in_B` for each frame `B`.
+fn changes_of_frame(project: &Project<'_>, at: usize) -> Vec<Value> {
+    let Some((prefix, _, meaning)) = find("in_", true) else {
+        return Vec::new();
+    };
+    let mut frames = names(project, at, |kind| kind == SymbolKind::Frame);
+    for own in &mut frames {
+        let name = format!("{prefix}{}", own["label"].as_str().unwrap_or_default());
+        *own = json!({ "label": name, "kind": 3, "detail": format!("{name}(VECTOR)"), "documentation": meaning });
+    }
+    frames
 }
 
 /// What may stand behind a text that ends before a word.
@@ -113,7 +173,19 @@ fn place(before: &str) -> Place {
             Place::Expression
         };
     }
+    if let Some(place) = place_in(statement, before) {
+        return place;
+    }
     match last {
+        '.' => {
+            let of = word(code.trim_end_matches('.'));
+            let is_number = of.starts_with(|c: char| c.is_ascii_digit());
+            if is_number || code.ends_with("..") {
+                Place::Nothing
+            } else {
+                Place::Part
+            }
+        }
         ';' | '}' => Place::Statement,
         '{' if !code.trim_end_matches('{').trim_end().ends_with('=') => Place::Statement,
         ':' => Place::Type,
@@ -129,6 +201,22 @@ fn place(before: &str) -> Place {
         '=' if line.trim_start().starts_with("frame ") => Place::Frame,
         _ if is_number && is_spaced => Place::Unit,
         _ => Place::Expression,
+    }
+}
+
+/// What may stand behind the words of a statement; `None` if they do not tell it.
+fn place_in(statement: &str, before: &str) -> Option<Place> {
+    // Statements above may lack their end.
+    let line = statement.rsplit('\n').next().unwrap_or_default();
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let is_spaced = before.ends_with(char::is_whitespace);
+    match words[..] {
+        ["frame", _, "=", _] if is_spaced => Some(Place::Turn),
+        ["frame", _, "=", _, "by"] => Some(Place::Quaternion),
+        ["replace", "force" | "moment"] => Some(Place::Load),
+        ["set"] if block(before) == "check" => Some(Place::Given),
+        ["expect"] if block(before) == "check" => Some(Place::Computed),
+        _ => None,
     }
 }
 
@@ -157,9 +245,11 @@ fn units() -> Vec<Value> {
         .collect()
 }
 
-/// Whether a declaration names no value, frame or load.
+/// Whether a declaration names no value and no frame, so that expressions cannot name it.
 fn is_heading(kind: SymbolKind) -> bool {
     let headings = [
+        SymbolKind::Force,
+        SymbolKind::Moment,
         SymbolKind::Model,
         SymbolKind::Body,
         SymbolKind::Effect,
@@ -177,10 +267,13 @@ fn block(before: &str) -> &str {
             ("}", _) => open += 1,
             (_, 0) => {
                 let head = before[..at].rsplit([';', '{', '}']).next();
-                let lines = head.unwrap_or_default().lines().map(str::trim_start);
-                let mut code = lines.filter(|line| !line.starts_with("//") && !line.is_empty());
-                let first = code.next().and_then(|line| line.split_whitespace().next());
-                return first.unwrap_or_default();
+                let lines = head.unwrap_or_default().lines();
+                // Statements above may lack their end.
+                let mut first = lines
+                    .rev()
+                    .filter_map(|line| line.split_whitespace().next());
+                let is_block = |word: &&str| BLOCKS.iter().any(|own| own.word == *word);
+                return first.find(is_block).unwrap_or_default();
             }
             _ => open -= 1,
         }

@@ -4,10 +4,22 @@ use codegen::latex;
 use model_spec::model::{
     Expr, ExprKind, FrameKind, Function, Load, Model, Parameter, Shape, Table,
 };
-use model_spec::with_unit;
 
 /// Longest formula that is shown, characters.
 const MAX_FORMULA: usize = 600;
+
+/// Number of elements of an array that are shown.
+const MAX_ELEMENTS: usize = 8;
+
+/// A value without its rounding noise, and its unit: `0.03375 m`.
+pub fn with_unit(value: f64, unit: &str) -> String {
+    model_spec::with_unit(rounded(value), unit)
+}
+
+/// The value to twelve significant digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
 
 /// Facts about a name.
 #[derive(Default)]
@@ -35,7 +47,7 @@ pub fn of_value(model: &Model, name: &str) -> Option<Facts> {
         });
     }
     if let Some(own) = model.inputs.iter().find(|own| own.name == name) {
-        let ([x, y, z], unit) = (own.value, &own.unit_text);
+        let ([x, y, z], unit) = (own.value.map(rounded), &own.unit_text);
         return Some(Facts {
             of: format!("vector {unit} in {}", frame(model, own.frame)),
             value: format!("({x}, {y}, {z}) {unit}"),
@@ -55,16 +67,69 @@ pub fn of_value(model: &Model, name: &str) -> Option<Facts> {
     })
 }
 
-/// Adds value and formula of a named quantity to its unit and frame.
+/// What a model says about an array: unit and frame of its first element.
+pub fn of_array(model: &Model, name: &str) -> Option<Facts> {
+    let first = elements(model, name).next()?;
+    let of = of_value(model, first)?.of;
+    Some(Facts {
+        of,
+        ..Facts::default()
+    })
+}
+
+/// Names of the elements of an array, in order.
+fn elements<'m>(model: &'m Model, name: &str) -> impl Iterator<Item = &'m str> {
+    let is_element = move |own: &&str| {
+        let index = own
+            .strip_prefix(name)
+            .and_then(|rest| rest.strip_prefix('_'));
+        index.is_some_and(|index| index.chars().all(|c| c == '_' || c.is_ascii_digit()))
+    };
+    let parameters = model.params.iter().chain(&model.coefficients);
+    let given = parameters.map(|own| own.name.as_str());
+    let given = given.chain(model.states.iter().map(|own| own.name.as_str()));
+    let computed = model.aux_variables.iter().map(|own| own.name.as_str());
+    given.chain(computed).filter(is_element)
+}
+
+/// Adds value and formula of a named quantity, or the values of an array's elements, to its unit and frame.
 pub fn complete(model: &Model, name: &str, facts: &mut Facts) {
     let own = model.aux_variables.iter().rposition(|own| own.name == name);
     if let Some(own) = own {
-        let unit = model.aux_variables[own].value.unit.tidy().to_string();
         if let Some(value) = constants(model)[own] {
-            facts.value = with_unit(value, &unit);
+            facts.value = with_unit(value, &unit_of(&model.aux_variables[own].value));
         }
         facts.formula = formula(model, name);
+    } else if facts.value.is_empty() {
+        facts.value = values(model, name, &facts.of).unwrap_or_default();
     }
+}
+
+/// Values of the first elements of an array, with their unit; `None` if one is not constant.
+fn values(model: &Model, name: &str, of: &str) -> Option<String> {
+    let known = constants(model);
+    let value = |name: &str| {
+        let mut parameters = model.params.iter().chain(&model.coefficients);
+        let mut states = model.states.iter();
+        let given = parameters.find(|own| own.name == name).map(|own| own.value);
+        let given = given.or_else(|| Some(states.find(|own| own.name == name)?.value));
+        given.or_else(|| {
+            known[model
+                .aux_variables
+                .iter()
+                .rposition(|own| own.name == name)?]
+        })
+    };
+    let shown = elements(model, name).take(MAX_ELEMENTS);
+    let shown: Option<Vec<String>> = shown.map(|own| Some(with_unit(value(own)?, "1"))).collect();
+    let mut shown = shown?.join(", ");
+    let count = elements(model, name).count();
+    if count > MAX_ELEMENTS {
+        shown += &format!(", … {count} elements");
+    }
+    let unit = of.split(' ').next().filter(|unit| *unit != "1");
+    let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
+    (count > 0).then(|| format!("({shown}){unit}"))
 }
 
 /// What a model says about a force or moment.
@@ -75,10 +140,17 @@ pub fn of_load(model: &Model, name: &str, is_moment: bool) -> Option<Facts> {
         (&model.forces, "force")
     };
     let own = loads.iter().find(|own| own.name == name)?;
+    let statement = format!("{prefix} {name}");
+    let formula = formula(model, &statement);
+    // Expressions cannot name a load.
+    let formula = match formula.split_once(" = ") {
+        Some((_, value)) => format!("{statement} = {value}"),
+        None => formula,
+    };
     Some(Facts {
         of: shape(model, &own.value),
         value: String::new(),
-        formula: formula(model, &format!("{prefix} {name}")),
+        formula,
     })
 }
 
@@ -135,7 +207,7 @@ pub fn of_table(model: &Model, name: &str) -> Option<Facts> {
 fn of_parameter(own: &Parameter) -> Facts {
     let mut value = with_unit(own.value, &own.unit_text);
     if let Some((least, greatest)) = own.bounds {
-        value += &format!(" in {least} .. {greatest}");
+        value += &format!(" in {} .. {}", rounded(least), rounded(greatest));
     }
     let inferred = if own.inferred { " (inferred)" } else { "" };
     Facts {
@@ -152,11 +224,16 @@ fn frame(model: &Model, index: usize) -> &str {
         .map_or("?", |frame| frame.name.as_str())
 }
 
-fn shape(model: &Model, e: &Expr) -> String {
-    let unit = match e.unit.named() {
-        Some(symbol) if symbol.chars().all(char::is_alphabetic) => symbol.to_owned(),
+/// Unit as a declaration has it, by its derived symbol where it has one: `N*m`.
+fn unit_of(e: &Expr) -> String {
+    match e.unit.named() {
+        Some(symbol) if !symbol.contains('/') => symbol.replace('·', "*"),
         _ => e.unit.tidy().to_string(),
-    };
+    }
+}
+
+fn shape(model: &Model, e: &Expr) -> String {
+    let unit = unit_of(e);
     match e.shape {
         Shape::Scalar => unit,
         Shape::Vector(of) if unit == "1" => format!("vector in {}", frame(model, of)),

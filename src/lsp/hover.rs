@@ -51,20 +51,7 @@ pub fn facts_of(model: &Model, declaration: &Declaration) -> Option<Facts> {
         SymbolKind::Force => facts::of_load(model, name, false),
         SymbolKind::Moment => facts::of_load(model, name, true),
         SymbolKind::Index | SymbolKind::Argument | SymbolKind::Function => None,
-        // An array has its first element's.
-        _ => facts::of_value(model, name).or_else(|| {
-            let is_first = |own: &&str| {
-                let index = own
-                    .strip_prefix(name)
-                    .and_then(|rest| rest.strip_prefix('_'));
-                index.is_some_and(|index| index.chars().all(|c| c == '_' || c.is_ascii_digit()))
-            };
-            let variables = model.aux_variables.iter().map(|own| own.name.as_str());
-            let parameters = model.params.iter().chain(&model.coefficients);
-            let mut all = parameters.map(|own| own.name.as_str()).chain(variables);
-            let first = all.find(is_first)?;
-            facts::of_value(model, first)
-        }),
+        _ => facts::of_value(model, name).or_else(|| facts::of_array(model, name)),
     }
 }
 
@@ -72,7 +59,11 @@ fn complete_facts(model: &Model, declaration: &Declaration) -> Option<Facts> {
     let mut facts = facts_of(model, declaration)?;
     let is_value = matches!(
         declaration.kind,
-        SymbolKind::Quantity | SymbolKind::Parameter | SymbolKind::Observation
+        SymbolKind::Quantity
+            | SymbolKind::Parameter
+            | SymbolKind::Coefficient
+            | SymbolKind::State
+            | SymbolKind::Observation
     );
     if is_value {
         facts::complete(model, &declaration.name, &mut facts);
@@ -119,8 +110,16 @@ fn of_word(word: &str, is_keyword: bool) -> Option<String> {
 
 fn of_unit(text: &str) -> Option<String> {
     let found = symbol::find(text)?;
-    let unit = found.unit.tidy();
-    Some(format!("unit: 1 {text} = {} {unit}", found.factor))
+    let unit = found.unit.tidy().to_string();
+    let of = found.unit.quantity().map_or("", |(one, _)| one);
+    let mut shown = "unit".to_owned();
+    if !of.is_empty() {
+        shown += &format!(" of {of}");
+    }
+    if unit != text {
+        shown += &format!(": 1 {text} = {}", facts::with_unit(found.factor, &unit));
+    }
+    Some(shown)
 }
 
 /// A name that the text does not declare, of the model that an effect is for.

@@ -8,6 +8,11 @@ pub fn statements() -> Vec<Word> {
     table(include_str!("words/statements.tsv"))
 }
 
+/// Words inside statements, and `in_` before the name of a frame.
+pub fn inner() -> Vec<Word> {
+    table(include_str!("words/inner.tsv"))
+}
+
 /// Functions and quantities of the language.
 pub fn built_in() -> Vec<Word> {
     table(include_str!("words/built_in.tsv"))
@@ -24,6 +29,9 @@ fn table(text: &'static str) -> Vec<Word> {
 
 /// The keyword, or the function or quantity, of this name.
 pub fn find(word: &str, is_keyword: bool) -> Option<Word> {
-    let all = if is_keyword { statements() } else { built_in() };
+    let all = match is_keyword {
+        true => [statements(), inner()].concat(),
+        false => built_in(),
+    };
     all.into_iter().find(|own| own.0 == word)
 }

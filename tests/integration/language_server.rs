@@ -8,6 +8,8 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
 use model_spec::model::Function;
+use model_spec::symbols::INNER;
+use model_spec::syntax::words::statements_of;
 use serde_json::{Value, json};
 
 use crate::support::hyzer;
@@ -208,6 +210,27 @@ fn a_server_ends_as_it_is_told() {
         server.asked("initialize", &json!({}));
         server.write(text);
         assert_eq!(server.end().0, Some(1), "{text}");
+    }
+}
+
+#[test]
+fn every_word_inside_statements_is_described() {
+    let text = "model a;\nlet b = ";
+    let mut server = Server::with_text("file:///a.hyz", text);
+    let parameters = json!({ "textDocument": { "uri": "file:///a.hyz" }, "position": { "line": 1, "character": 8 } });
+    let answer = server.asked("textDocument/completion", &parameters);
+    let found = |word: &str| {
+        let items = answer["result"].as_array().into_iter().flatten();
+        let item = items.into_iter().find(|item| item["label"] == word);
+        item.is_some_and(|item| {
+            item["documentation"]
+                .as_str()
+                .is_some_and(|doc| !doc.is_empty())
+        })
+    };
+    for word in INNER {
+        let is_statement = statements_of("body").contains(&word);
+        assert!(is_statement || found(word), "{word}: {answer}");
     }
 }
 

@@ -9,6 +9,7 @@ use super::{Checker, Definition, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{CheckCase, Expectation, Observable, Shape, Target};
 use crate::syntax::ast::{self, CheckPart, ItemKind, Name, Number, UnitExpr};
+use crate::syntax::case::derivatives_advice;
 use crate::unit::Unit;
 
 impl Checker<'_> {
@@ -133,6 +134,15 @@ impl Checker<'_> {
 
     fn expected_derivative(&mut self, name: &Name) -> Option<Expected> {
         let Some(Symbol::State(i)) = self.scope.find(&name.text) else {
+            if let Some(states) = self.states_of_body(&name.text) {
+                let message = format!(
+                    "`der({})` is a vector; what is expected must be a number",
+                    name.text
+                );
+                let fault = Diagnostic::new(Kind::Shape, name.span, message);
+                let help = derivatives_advice(&states);
+                return self.refuse(fault.help(help));
+            }
             self.no_state(name);
             return None;
         };

@@ -264,8 +264,10 @@ impl<'a> Checker<'a> {
 
     fn marker(&mut self, marker: &ast::Marker) {
         if let Some(first) = &self.model.marker {
-            let first = first.span;
-            self.second("marker", first, marker.name.span);
+            let fault = stated_twice("marker", first.span, marker.name.span);
+            self.report(fault.help(
+                "keep one of them: it stands for all markers, whose places come with each recording",
+            ));
             return;
         }
         let frame = self.frame_of(&marker.frame);

@@ -178,6 +178,9 @@ impl Checker<'_> {
                 "`{name}` is a unit; to give a number this unit write `5 {name}`, or `5 [m/s]` for one of \
                  several factors"
             ));
+        } else if name == "acceleration" && self.declared_body.is_some() {
+            let advice = self.derivative_advice();
+            fault = fault.help(format!("it follows from the forces: {advice}"));
         } else {
             fault = fault
                 .note("names are declared with `param`, `coefficient`, `input`, `state` or `let`");
@@ -251,6 +254,30 @@ impl Checker<'_> {
         Some(Typed::scalar(kind, span, of_typed.unit))
     }
 
+    /// What stands for the acceleration in expressions and in cases.
+    fn derivative_advice(&self) -> String {
+        let states = self.states_of_body("velocity");
+        let state = states.map_or("STATE", |[.., last]| last);
+        format!(
+            "what a sensor feels is made of `specific_force` and `angular_acceleration`; a `check` may \
+             `expect der({state}) = …`"
+        )
+    }
+
+    /// States of the body's `position`, `velocity` or `angular_velocity`.
+    pub fn states_of_body(&self, name: &str) -> Option<[&str; 3]> {
+        // Errors that are not shown need no search.
+        let is_shown = self.diagnostics.len() < MAX_SHOWN;
+        let parts = &self.declared_body.filter(|_| is_shown)?.parts;
+        let words = name.replace('_', " ");
+        parts.iter().find_map(|part| match &part.kind {
+            ast::BodyPartKind::States(states, ..) if part.words == words => {
+                Some(states.each_ref().map(|own| own.text.as_str()))
+            }
+            _ => None,
+        })
+    }
+
     pub fn derivative(&mut self, state: &ast::Name, span: Span) -> Option<Typed> {
         let found = self.scope.find(&state.text);
         if !matches!(found, Some(Symbol::State(_)) | None) {
@@ -267,10 +294,10 @@ impl Checker<'_> {
                 state.text
             );
             let fault = Diagnostic::new(Kind::Cycle, span, message);
-            return self.refuse(fault.help(
-                "the derivative of a position is a component of `velocity`; what a sensor feels is made of \
-                 `specific_force` and `angular_acceleration`",
-            ));
+            let advice = self.derivative_advice();
+            return self.refuse(fault.help(format!(
+                "the derivative of a position is a component of `velocity`; {advice}"
+            )));
         }
         let Some(Symbol::State(i)) = found else {
             self.no_state(state);

@@ -156,9 +156,9 @@ impl Scanner<'_> {
         {
             let range = self.range(at);
             let start = range.end - frame.len();
-            self.scanned
-                .words
-                .push((start..range.end, Found::Name(Namespace::Frame)));
+            let words = &mut self.scanned.words;
+            words.push((range.start..start, Found::Keyword));
+            words.push((start..range.end, Found::Name(Namespace::Frame)));
             return at + 1;
         }
         let is_part = next == "." && self.token(at + 2) == Token::Number;

@@ -1,8 +1,8 @@
 //! Parser for statements with a block, except effects.
 
 use super::ast::{
-    Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Continuation, Expr, ExprKind,
-    Inertia, InitialValues, Interpolation, ItemKind, Name, Quantity, Table, UnitExpr,
+    Body, BodyClass, BodyPart, BodyPartKind, Continuation, Expr, ExprKind, Inertia, InitialValues,
+    Interpolation, ItemKind, Name, Quantity, Table, UnitExpr,
 };
 use super::parser::{Parser, Read};
 use super::stated_twice;
@@ -78,7 +78,11 @@ impl Parser<'_> {
     }
 
     /// Parses a block in which `let` defines quantities of the model.
-    fn block<T>(&mut self, what: &str, mut read: impl FnMut(&mut Self) -> Read<T>) -> Read<Vec<T>> {
+    pub fn block<T>(
+        &mut self,
+        what: &str,
+        mut read: impl FnMut(&mut Self) -> Read<T>,
+    ) -> Read<Vec<T>> {
         let parts = self.braces(what, |parser| {
             if !parser.at_word("let") {
                 return read(parser).map(Some);
@@ -149,72 +153,6 @@ impl Parser<'_> {
         self.tuple(open, "of three", "of them", Self::expr)
     }
 
-    pub fn check_case(&mut self) -> Read<ItemKind> {
-        self.advance();
-        let title = self.quoted("the title of the check")?;
-        let parts = self.block("this `check`", Self::check_part)?;
-        Ok(ItemKind::Check(Check { title, parts }))
-    }
-
-    fn check_part(&mut self) -> Read<CheckPart> {
-        let start = self.here();
-        if self.eat_word("set") {
-            let name = self.name_or_element("what is set")?;
-            self.need(Token::Sign("="), &format!("`=` after `{}`", name.text))?;
-            let value = if self.peek() == Token::Sign("(") {
-                self.triple_of_numbers()?.into()
-            } else {
-                vec![self.number("a number")?]
-            };
-            let unit = self.optional_unit()?;
-            self.semicolon("this `set`")?;
-            return Ok(CheckPart::Set {
-                name,
-                value,
-                unit,
-                span: start.to(self.behind()),
-            });
-        }
-        if !self.eat_word("expect") {
-            if (self.peek(), self.peek_at(1)) == (Token::Name, Token::Sign("=")) {
-                let help = format!("write `set {} = …;`", self.raw());
-                return self.expected_help("`set` or `expect`", Some(help));
-            }
-            return self.expected_statement_of("check");
-        }
-        let mut name =
-            self.name_or_element("what is expected: a named quantity or `der(STATE)`")?;
-        let derivative = name.text == "der" && self.eat(Token::Sign("("));
-        if derivative {
-            name = self.name_or_element("the name of a state")?;
-            self.need(Token::Sign(")"), "`)` after the state")?;
-        }
-        self.need(Token::Sign("="), "`=` and the expected value")?;
-        if self.peek() == Token::Sign("(") {
-            let help =
-                "expect each component by itself, of a quantity such as `let height = position.3;`";
-            return self.expected_help("a number", Some(help.to_owned()));
-        }
-        let value = self.quantity("a number")?;
-        if !self.eat_word("within") {
-            let help = "add the greatest difference: `within 1e-9`".to_owned();
-            return self.expected_help("`within` after the expected value", Some(help));
-        }
-        let within = self.quantity("the greatest difference")?;
-        let is_relative = self.eat_word("relative");
-        self.semicolon("this `expect`")?;
-        Ok(CheckPart::Expect {
-            name,
-            derivative,
-            value,
-            within,
-            is_relative,
-            span: start.to(self.behind()),
-        })
-    }
-}
-
-impl Parser<'_> {
     pub fn claim(&mut self) -> Read<ItemKind> {
         self.advance();
         let word = self.raw();

@@ -121,10 +121,23 @@ impl Parser<'_> {
 
     /// Parses the subscripts `[i, …]` of a name; none if there is no bracket.
     pub fn subscripts(&mut self) -> Read<Vec<Expr>> {
+        let name = self.behind();
         if !self.eat(Token::Sign("[")) {
             return Ok(Vec::new());
         }
+        let name = self.slice(name);
         let subscripts = self.list(Self::expr)?;
+        if self.at_word("in") {
+            let index = subscripts.last().map_or_else(String::new, Expr::to_string);
+            let range = match self.peek_at(2) {
+                Token::Sign("..") => format!("{}..{}", self.raw_at(1), self.raw_at(3)),
+                _ => "1..8".to_owned(),
+            };
+            let help = format!(
+                "the range of an index stands behind: `{name}[{index}] for {index} in {range} = …`"
+            );
+            return self.expected_help("`]` after the index", Some(help));
+        }
         self.need(Token::Sign("]"), "`]` after the index")?;
         Ok(subscripts)
     }

@@ -5,6 +5,7 @@
 pub mod ast;
 mod block;
 mod body_parts;
+pub(crate) mod case;
 mod effect;
 pub(crate) mod expand;
 mod expr;

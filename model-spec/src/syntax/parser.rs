@@ -20,7 +20,7 @@ pub(super) type Read<T> = Result<T, Reported>;
 pub(super) struct Parser<'a> {
     text: &'a str,
     source: u16,
-    lexed: Lexed,
+    pub lexed: Lexed,
     at: usize,
     next_doc: usize,
     depth: u32,

@@ -2,7 +2,7 @@
 
 use super::ast::{
     Equation, ExprKind, Frame, FrameKind, Index, Input, Item, ItemKind, Let, Limit, Load,
-    LoadClass, Marker, Name, Number, Observe, Parameter, ParameterClass, Quantity, State, UnitExpr,
+    LoadClass, Name, Number, Parameter, ParameterClass, Quantity, State, UnitExpr,
 };
 use super::parser::{Parser, Read};
 use super::token::Token;
@@ -429,19 +429,6 @@ impl Parser<'_> {
         let value = self.definition(&format!("der({})", state.text), "this equation")?;
         let equation = ItemKind::Equation(Equation { state, value });
         self.array(subscripts, indices, Vec::new(), equation)
-    }
-
-    fn marker(&mut self) -> Read<ItemKind> {
-        let (_, name) = self.keyword_and_name()?;
-        let frame = self.in_frame("the name of the marker, with the frame it is fixed in")?;
-        self.semicolon("this `marker`")?;
-        Ok(ItemKind::Marker(Marker { name, frame }))
-    }
-
-    pub fn observe(&mut self) -> Read<ItemKind> {
-        let (_, name) = self.keyword_and_name()?;
-        let value = self.definition(&name.text, "this `observe`")?;
-        Ok(ItemKind::Observe(Observe { name, value }))
     }
 
     /// Parses the rest of a clock statement after the keyword: `clock EXPR;`, or `replace clock = EXPR;` in an effect.

@@ -1,5 +1,6 @@
 //! The language: what right models mean, what is said about broken ones, and that no text does harm.
 
+mod advice;
 mod broken;
 mod effects;
 mod files;
