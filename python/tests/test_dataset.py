@@ -98,8 +98,8 @@ def test_datasets_in_memory_have_names(tmp_path: Path) -> None:
     options["markers"] = "examples/disc/dataset.toml"
     data = hyzer.Dataset.import_takes(takes, **options)
     assert data.name == "disc"
-    named = hyzer.Dataset.import_takes(takes, **options, name="session 3", held_out=[0])
-    assert named.name == "session 3"
+    named = hyzer.Dataset.import_takes(takes, **options, name="hall 3", held_out=[0])
+    assert named.name == "hall 3"
     assert named.decisions == data.decisions
     assert hyzer.Dataset.import_takes(takes, **options, held_out=[0]).name == "disc"
     frames, markers = data.to_pandas(), data.markers
