@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hyzer import _hyzer
@@ -28,7 +29,7 @@ class Dataset:
     model : str
         Name or path of the model.
     name : str
-        Name in reports: that of the folder.
+        Name in reports: that of the folder, or the one given.
     files : tuple of str
         Names of the flights.
     markers : dict of str to list of float
@@ -87,7 +88,7 @@ class Dataset:
         unknown: Iterable[str] | str | Mapping[Any, Iterable[str] | str] | None = None,
         inputs: Mapping[Any, pd.DataFrame] | None = None,
         interpolation: str | None = None,
-        name: str = "",
+        name: str = "flights",
     ) -> Dataset:
         """Make a dataset of DataFrames, one per flight.
 
@@ -207,7 +208,7 @@ class Dataset:
                 "interpolation",
             )
         }
-        model, name = options.pop("model", "disc"), options.pop("name", "")
+        model, name = options.pop("model", "disc"), options.pop("name", "flights")
         if options:
             raise TypeError(f"from_arrays() has no argument {', '.join(options)}")
         kinds = dict.fromkeys(mapping(markers, "markers"), "marker")
@@ -236,6 +237,7 @@ class Dataset:
         centre_height: float | None = None,
         parameters: Mapping[str, float] | None = None,
         held_out: Iterable[Any] | str | int = (),
+        name: str | None = None,
     ) -> Dataset:
         """Import recordings of a laboratory, cut to the free flights, as `hyzer import` does.
 
@@ -260,6 +262,8 @@ class Dataset:
             Known constants of the body and its environment, SI; they replace those of the template.
         held_out : iterable of str, int or bool; str; int
             Flights that a fit does not use: by name or number from 0, or a mask of all flights.
+        name : str, optional
+            Name of the dataset in reports; by default that of the folder of the first recording.
 
         Returns
         -------
@@ -289,9 +293,7 @@ class Dataset:
         }
         arguments = [f"--{key}={value}" for key, value in options.items() if value is not None]
         arguments += ["--left-handed"] if left_handed else []
-        arguments += [
-            f"--label={label}={name}" for label, name in mapping(labels, "labels").items()
-        ]
+        arguments += [f"--label={label}={own}" for label, own in mapping(labels, "labels").items()]
         # After `--` no file can be an option.
         files = names(takes)
         if not files:
@@ -299,7 +301,11 @@ class Dataset:
         constants = numbers(parameters, "parameters")
         made = _hyzer.import_takes([*arguments, "--", *files], constants)
         apart = selected(held_out, {file: file for file in made.files}, "held_out")
-        return cls(made.held_out(apart))
+        text, tables, _, folder, about = made.held_out(apart).parts()
+        if name is None:
+            first = Path(files[0]).absolute()
+            name = (first if first.is_dir() else first.parent).name
+        return cls(_hyzer.Dataset(text, tables, name, folder, about))
 
     @property
     def decisions(self) -> str:

@@ -65,8 +65,8 @@ def fit(
     fixed : mapping of str to float or None, iterable of str, or str
         Coefficients that are not estimated, with their values, SI; by default those of the model.
     free : iterable of str, or str
-        Parameters or components of inputs (`wind_x`) that are estimated too, one value for all
-        flights.
+        Parameters or components of inputs (`wind_x`) that are estimated beside the coefficients,
+        one value for all flights. To estimate one coefficient alone, hold the others by `fixed`.
     priors : mapping of str to (float, float)
         Gaussian priors: mean and standard deviation, SI.
     profiles : iterable of str, or str

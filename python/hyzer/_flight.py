@@ -207,14 +207,26 @@ class Flight:
         -------
         pair of matplotlib axes
         """
+        is_new = axes is None
         if axes is None:
             pyplot = extra("matplotlib.pyplot")
-            _, axes = pyplot.subplots(2, 1, sharex=True, layout="constrained")
+            _, axes = pyplot.subplots(2, 1, sharex=True, layout="compressed")
         side, above = axes
         for axis, name in ((side, "z"), (above, "y")):
             axis.plot(self["x"], self[name])
             axis.set_ylabel(f"{name}, m")
-            axis.set_aspect("equal", adjustable="datalim")
+        # Each axis holds all that is drawn on it, and is not much shorter than the longest.
+        drawn = [(axis.dataLim.intervalx, axis.dataLim.intervaly) for axis in (side, above)]
+        xs = [float(x) for across, _ in drawn for x in across]
+        heights = [(float(low), float(high)) for _, (low, high) in drawn]
+        widest = max(high - low for low, high in [(min(xs), max(xs)), *heights])
+        for axis, height in ((side, heights[0]), (above, heights[1])):
+            axis.set_xlim(*_around(min(xs), max(xs), widest))
+            axis.set_ylim(*_around(*height, widest))
+            axis.set_aspect("equal", adjustable="box")
+        if is_new:  # One scale for both.
+            spans = [high - low for low, high in (side.get_ylim(), above.get_ylim())]
+            side.get_gridspec().set_height_ratios(spans)
         side.set_title(self._native.title)
         above.set_xlabel("x, m")
         return axes
@@ -256,6 +268,12 @@ class Flight:
 
     def __repr__(self) -> str:
         return f"<Flight {self._native.title}: {self.duration:.2f} s, ended by {self.ended_by}>"
+
+
+def _around(low: float, high: float, widest: float) -> tuple[float, float]:
+    """Return the limits of an axis around its data, with a margin."""
+    middle, half = (low + high) / 2, max(0.55 * (high - low), 0.2 * widest) or 0.5
+    return middle - half, middle + half
 
 
 class View:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import re
+import warnings
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -134,7 +136,10 @@ class Model(_hyzer.Model):
         >>> float(disc.fly(throw, C_D0=0.10).landing[0]) > float(disc.fly(throw).landing[0])
         True
         """
-        name, text = Release.of(release).texts(self.name)
+        begun = Release.of(release)
+        if begun.lacks_spin and re.search(r"^body ", self.text, re.MULTILINE):
+            warnings.warn("thrown without spin; spin= states it, in rpm", stacklevel=2)
+        name, text = begun.texts(self.name)
         pairs = list(numbers(values, "fly").items())
         return Flight.fly(self, name, text, until, rate, tolerance, pairs)
 
@@ -144,7 +149,8 @@ class Model(_hyzer.Model):
         Returns
         -------
         dict
-            The document of `hyzer export --ir`, in the format of `docs/reference/ir.md`.
+            The document of `hyzer export --ir`; the page of a model as data in the reference
+            explains it.
 
         Examples
         --------

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
 _LEN = 3
 
 
+# Keys that the report has only of flights of which they are true.
+_OF_SOME_FLIGHTS = {"reason", "is_summary", "seen"}
+
+
 def wrap(value: Any) -> Any:
     """Give a value of JSON its attributes: objects become records, tables of objects tables."""
     if isinstance(value, dict):
@@ -52,6 +56,8 @@ class Record(Mapping[str, Any]):
         try:
             return wrap(self._values()[name])
         except KeyError:
+            if name in _OF_SOME_FLIGHTS and "outcome" in self._values():
+                return None
             known = ", ".join(self._values())
             raise AttributeError(f"found {name!r}, expected one of {known}") from None
 

@@ -34,7 +34,8 @@ class Release:
         Tilt about the velocity, positive when the left edge is the lower one, seen from behind,
         deg.
     spin : float
-        Spin, positive clockwise seen from above, rpm.
+        Spin, positive clockwise seen from above, rpm; 0 by default. A disc without spin tumbles:
+        `Model.fly` warns of a throw that states none.
     height : float
         Height of the mass centre at release, m; 1 by default.
     wobble : float
@@ -80,7 +81,7 @@ class Release:
     >>> import numpy as np
     >>> t = np.linspace(0, 2, 21)
     >>> motors = {f"motor_{k}": (t, 0.75 + 0.1 * np.sin(3 * t)) for k in (1, 2, 3, 4)}
-    >>> hover = hyzer.Release(speed=1, inputs={**motors, "voltage": 3.9}, until=2.0)
+    >>> hover = hyzer.Release(speed=1, inputs={**motors, "voltage": 3.9}, spin=0, until=2.0)
     >>> flight = hyzer.Model("quadrotor").fly(hover)
     >>> float(flight.t[-1])
     2.0
@@ -186,6 +187,11 @@ class Release:
         motion = self._throw if self._initial is None else {**self._initial, **self._throw}
         tables = [_toml.table(f"[{name}]", values) for name, values in self._tables.items()]
         return "".join([*lines, *tables, _toml.table(of_motion, motion)])
+
+    @property
+    def lacks_spin(self) -> bool:
+        """Whether it is a throw that does not state its spin."""
+        return bool(self._throw) and self._initial is None and "spin" not in self._throw
 
     def texts(self, model: str) -> tuple[str, str]:
         """Return the name of the release in messages, and its text."""

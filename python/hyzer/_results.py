@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
+import re
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from hyzer import _hyzer
@@ -142,7 +143,8 @@ class Fit(Paged):
 
     Notes
     -----
-    All keys are explained in `docs/reference/json.md`. `coefficients.to_pandas()` is a DataFrame.
+    All keys are explained on the page report.json of the reference.
+    `coefficients.to_pandas()` is a DataFrame.
 
     Examples
     --------
@@ -180,7 +182,7 @@ class Fit(Paged):
         return self.correlation() * numpy.outer(errors, errors)  # type: ignore[no-any-return]
 
     def plot(self, axes: Any = None) -> Any:
-        """Draw the RMS residual of each flight, in the unit of its first sensor.
+        """Draw the RMS residual of each flight, in the unit of its first sensor; lengths in mm.
 
         Parameters
         ----------
@@ -196,14 +198,17 @@ class Fit(Paged):
         used = [flight for flight in self["flights"] if flight["residual_rms"]]
         kind = next(iter(self["residual_rms"]))
         used = [flight for flight in used if kind in flight["residual_rms"]]
+        unit = self["residual_rms"][kind]["unit"]
+        unit, scale = ("mm", 1000.0) if unit == "m" else (unit, 1.0)
         for role, colour in (("fit", "C0"), ("held_out", "C1")):
             part = [flight for flight in used if flight["role"] == role]
-            values = [flight["residual_rms"][kind]["value"] for flight in part]
+            values = [scale * flight["residual_rms"][kind]["value"] for flight in part]
             if part:
                 axes.bar([flight["file"] for flight in part], values, color=colour, label=role)
-        axes.set_ylabel(f"RMS residual of the {kind}, {self['residual_rms'][kind]['unit']}")
+        axes.set_ylabel(f"RMS residual of the {kind}, {unit}")
         axes.tick_params(axis="x", rotation=60)
-        axes.legend()
+        # Above the axes, where there are no bars.
+        axes.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=2, frameon=False)
         return axes
 
     def __repr__(self) -> str:
@@ -238,12 +243,19 @@ class Diagnosis(Paged):
         `description` and `estimates`; `explained_fraction`, …
     predictive_gain : Record or None
         Prediction errors before and after, on flights that were not fitted, m.
+    coefficients : Table
+        Those of the extended model, by name: `value`, `std_error`, `unit`, and `before` without
+        the effects found.
+    flights : Rows
+        Each flight: `file`, `role`, `outcome`, `reason`, `rms_before_m`, `rms_after_m`.
+    data_faults : Rows or list
+        Mistakes in the data: `file`, `fault`, `detail`, `correction`.
     tests : Rows
         The score test of each candidate.
 
     Notes
     -----
-    All keys are explained in `docs/reference/json.md`.
+    All keys are explained on the page report.json of the reference.
 
     Examples
     --------
@@ -270,6 +282,8 @@ class Diagnosis(Paged):
     def plot(self, axes: Any = None) -> Any:
         """Draw what was found: a coefficient before and after, or the tests of candidates.
 
+        Of several coefficients it is the one that the effects change most.
+
         Parameters
         ----------
         axes : matplotlib axes, optional
@@ -281,8 +295,8 @@ class Diagnosis(Paged):
         """
         if axes is None:
             _, axes = extra("matplotlib.pyplot").subplots(layout="constrained")
-        if self["curves"]:
-            curve = self["curves"][0]
+        curve = self._curve()
+        if curve is not None:
             axes.plot(curve["x"], curve["before"], "--", label="before")
             axes.plot(curve["x"], curve["after"], label="after")
             axes.set_xlabel(f"{curve['over']}, {curve['unit']}")
@@ -294,6 +308,17 @@ class Diagnosis(Paged):
         axes.axvline(self["threshold"]["z"], color="0.5", linestyle="--")
         axes.set_xlabel("|z| of the score test")
         return axes
+
+    def _curve(self) -> dict[str, Any] | None:
+        """Return the curve that the effects change most, relative to its size."""
+        curves: list[dict[str, Any]] = [curve for curve in self["curves"] if curve["x"]]
+
+        def change(curve: dict[str, Any]) -> float:
+            size = max(map(abs, curve["before"] + curve["after"])) or 1.0
+            pairs = zip(curve["before"], curve["after"], strict=True)
+            return max(abs(after - before) for before, after in pairs) / size
+
+        return max(curves, key=change, default=None)
 
     def __repr__(self) -> str:
         causes = f": {' and '.join(self.causes)}" if self.causes else ""

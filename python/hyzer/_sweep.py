@@ -95,8 +95,8 @@ def sweep(
     ----------
     plan : str, path or mapping
         `backhands`, the built-in plan; a plan file; the text of one, which has more than one line;
-        or its keys and tables as a mapping: `docs/reference/sweep.md`. The model of a mapping is a
-        name, a path or a `Model`.
+        or its keys and tables as a mapping: those on the page of sweep plans in the reference. The
+        model of a mapping is a name, a path or a `Model`.
     out : path, optional
         Folder for `flights.parquet` and `summary.json`; a sweep that was ended goes on there.
         Without it the flights are kept in memory.

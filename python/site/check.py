@@ -1,12 +1,18 @@
-"""Checks the built site: links, anchors, ids, requests to other hosts; and docs/ as plain Markdown.
+"""Checks the built site, and docs/ as plain Markdown.
+
+Of the site: links, anchors, ids, requests to other hosts, parameters of the reference.
 
 python check.py SITE    exit status 1 and a line for each fault
 """
 
+import html
+import inspect
+import re
 import sys
 from collections import Counter
 from html.parser import HTMLParser
 from pathlib import Path
+from pkgutil import resolve_name
 from urllib.parse import unquote, urlsplit
 
 import markdown
@@ -92,6 +98,32 @@ def site(folder: Path) -> list[str]:
     return faults
 
 
+def signatures(page: str) -> list[str]:
+    """Return the parameters of the reference whose default or type differs from the signature."""
+    faults, of, known = [], "", dict[str, inspect.Parameter]()
+    title = r'<span class="doc-section-title">(\w+)'
+    entry = rf'<h\d id="(hyzer[\w.]*)"|{title}|<li class="doc-section-item field-body">(.*?)<div'
+    for heading, section, item in re.findall(entry, page, re.DOTALL):
+        of = heading or of
+        if section == "Parameters":
+            known = dict(inspect.signature(resolve_name(of)).parameters)
+        elif heading or section:
+            known = {}
+        text = " ".join(html.unescape(re.sub(r"<[^>]+>", "", item)).split())
+        parts = re.fullmatch(r"(\w+) \((.*?)(?:, default: (.*?))? ?\) \W", text)
+        if not parts or parts[1] not in known:
+            continue
+        name, kind, default = parts.groups()
+        own = known[name]
+        expected = None if own.default is own.empty else repr(own.default)
+        if expected != (default and default.replace('"', "'")):
+            faults.append(f"{of}: {name} has the default {expected}, shown is {default}")
+        kinds = {str(other.annotation): other for other in known.values()}
+        if "|" in kind and kinds.get(kind, own) is not own and kind != str(own.annotation):
+            faults.append(f"{of}: {name} is of {own.annotation}, shown is {kind}")
+    return faults
+
+
 def plain(docs: Path) -> list[str]:
     """Return the pages that a code host (CommonMark) reads otherwise than the site does."""
     common = MarkdownIt("commonmark", {"html": True}).enable("table")
@@ -107,6 +139,8 @@ def plain(docs: Path) -> list[str]:
 
 
 if __name__ == "__main__":
-    found = site(Path(sys.argv[1]).resolve()) + plain(DOCS)
+    built = Path(sys.argv[1]).resolve()
+    found = site(built) + plain(DOCS)
+    found += signatures((built / "reference/python.html").read_text("utf-8"))
     print(*found, f"{len(found)} faults", sep="\n")
     sys.exit(bool(found))

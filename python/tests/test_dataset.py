@@ -93,6 +93,21 @@ def test_takes_are_imported_as_by_the_program(tmp_path: Path) -> None:
         hyzer.Dataset.import_takes(["nothing.c3d"], **options)
 
 
+def test_datasets_in_memory_have_names(tmp_path: Path) -> None:
+    takes, options = ["examples/disc/flight01.csv"], {"length": "m", "time": "s", "up": "+z"}
+    options["markers"] = "examples/disc/dataset.toml"
+    data = hyzer.Dataset.import_takes(takes, **options)
+    assert data.name == "disc"
+    named = hyzer.Dataset.import_takes(takes, **options, name="hall 3", held_out=[0])
+    assert named.name == "hall 3"
+    assert named.decisions == data.decisions
+    assert hyzer.Dataset.import_takes(takes, **options, held_out=[0]).name == "disc"
+    frames, markers = data.to_pandas(), data.markers
+    assert hyzer.Dataset.from_pandas(frames, markers=markers).name == "flights"
+    fit = hyzer.fit(hyzer.Dataset.from_pandas(frames, markers=markers, name="mine"))
+    assert (fit.dataset, "fitted to mine" in fit.page()) == ("mine", True)
+
+
 def test_imported_takes_have_constants_and_flights_apart() -> None:
     takes = ["examples/disc/flight01.csv", "examples/disc/flight02.csv"]
     options = {"length": "m", "time": "s", "up": "+z", "markers": "examples/disc/dataset.toml"}

@@ -1,6 +1,7 @@
 import json
 import multiprocessing
 import os
+import pickle
 import signal
 import threading
 import time
@@ -94,7 +95,33 @@ def test_attributes_tables_and_arrays(fit: hyzer.Fit) -> None:
     import matplotlib as mpl
 
     mpl.use("Agg")
-    assert len(fit.plot().patches) == 8
+    axes = fit.plot()
+    assert len(axes.patches) == 8
+    assert axes.get_ylabel() == "RMS residual of the marker, mm"
+    first = next(flight for flight in fit.flights if flight.outcome == "fitted")
+    height = axes.patches[0].get_height()
+    assert height == pytest.approx(1000 * first.residual_rms["marker"].value)
+    axes.figure.canvas.draw()
+    legend = axes.get_legend().get_window_extent()
+    assert legend.y0 >= axes.get_window_extent().y1 - 1
+
+
+def test_the_figure_of_a_diagnosis_is_of_what_its_cause_changes() -> None:
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    model = hyzer.Model("disc", ["zero-lift-drag-angle"], {"alpha_0": -0.1})
+    found = hyzer.diagnose(hyzer.synthesize(model, "backhand", flights=6, duration=0.8), "disc")
+    assert found.causes == ["zero-lift-drag-angle"]
+    for same in (found, pickle.loads(pickle.dumps(found))):
+        assert same.plot().get_ylabel() == "C_D"
+    assert hyzer.diagnose("examples/mystery").plot().get_ylabel() == "C_L"
+
+
+def test_what_a_report_leaves_out_is_none() -> None:
+    fit = hyzer.fit("examples/disc")
+    assert {flight.outcome for flight in fit.flights} <= {"fitted", "held_out"}
+    assert {flight.reason for flight in fit.flights} == {None}
 
 
 def test_progress_is_told_and_can_cancel() -> None:

@@ -1,4 +1,5 @@
 import json
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -63,6 +64,42 @@ def test_initial_states_and_values_by_name() -> None:
     assert DISC.fly(states, z=2.0, until=0.1)["z"][0] == 2.0
 
 
+def test_a_figure_shows_the_whole_path_with_equal_scales() -> None:
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    steep = hyzer.Release(speed=25, launch=10, hyzer=5, spin=600)
+    drop = hyzer.Release(speed=1, launch=90, height=30)
+    flights = [DISC.fly(steep), DISC.fly("backhand"), hyzer.Model("ball").fly(drop)]
+    for flight in flights:
+        axes = flight.plot()
+        axes[0].figure.canvas.draw()
+        for axis, name in zip(axes, "zy"):
+            for values, (low, high) in (
+                (flight["x"], axis.get_xlim()),
+                (flight[name], axis.get_ylim()),
+            ):
+                assert low < values.min()
+                assert values.max() < high
+            origin, far = axis.transData.transform([[0, 0], [1, 1]])
+            assert np.isclose(*(far - origin))
+    axes = flights[1].plot(flights[0].plot())
+    for axis, name in zip(axes, "zy"):
+        assert axis.get_xlim()[1] > flights[0]["x"].max()
+        assert axis.get_ylim()[1] > flights[0][name].max()
+
+
+def test_a_throw_without_spin_is_told() -> None:
+    with pytest.warns(UserWarning, match="thrown without spin; spin= states it, in rpm") as told:
+        DISC.fly(hyzer.Release(speed=20, until=0.1))
+    assert [warning.filename for warning in told] == [__file__]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        DISC.fly(hyzer.Release(speed=20, spin=0, until=0.1))
+        DISC.fly("backhand")
+        hyzer.Model("ball").fly(hyzer.Release(speed=20))
+
+
 def test_tables_and_figures() -> None:
     flight = DISC.fly("backhand", rate=60)
     frame = flight.to_pandas()
@@ -81,6 +118,7 @@ def test_tables_and_figures() -> None:
     assert len(side.lines) == 1
 
 
+@pytest.mark.filterwarnings("ignore:thrown without spin")
 @pytest.mark.parametrize(
     ("release", "options", "message"),
     [
@@ -117,6 +155,7 @@ def test_a_flight_that_never_lands_is_an_error() -> None:
 NUMBER = st.floats() | st.integers(-(2**70), 2**70)
 
 
+@pytest.mark.filterwarnings("ignore:thrown without spin")
 @given(st.dictionaries(st.sampled_from(["speed", "nose", "spin", "wobble", "height"]), NUMBER))
 @settings(max_examples=200, deadline=None, derandomize=True)
 def test_no_release_ends_the_interpreter(throw: dict[str, float]) -> None:

@@ -45,3 +45,12 @@ def test_the_code_of_a_page_runs(
     assert names["found"].causes == ["stall"]
     if "recordings" in page:
         assert (tmp_path / "page/report.html").is_file()
+        assert names["data"].name == "vicon"
+        assert "C_Ls," in (tmp_path / "coefficients.csv").read_text()
+        heads = (tmp_path / "positions.csv").read_text().partition("\n")[0]
+        assert heads == "flight,t,x,y,z,marker"
+        assert [f.role for f in names["blind"].flights][-2:] == ["held_out"] * 2
+        residuals = names["measured"][["m1_x", "m1_y", "m1_z"]] - names["predicted"]
+        assert residuals.abs().median().max() < 0.002  # Some samples are outliers.
+        assert (tmp_path / "flight.png").is_file()
+        assert names["flown"].ended_by == "ground"

@@ -254,7 +254,7 @@ def read(ir: object) -> Ir:
     ------
     IrError
         If the schema is another, an operation is unknown, or any part is not as
-        docs/reference/ir.md describes it.
+        its page in the reference describes it.
 
     Examples
     --------
