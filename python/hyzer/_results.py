@@ -5,7 +5,6 @@ from __future__ import annotations
 import html
 import json
 import os
-import re
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from hyzer import _hyzer
