@@ -313,9 +313,10 @@ class Diagnosis(Paged):
         curves: list[dict[str, Any]] = [curve for curve in self["curves"] if curve["x"]]
 
         def change(curve: dict[str, Any]) -> float:
-            size = max(map(abs, curve["before"] + curve["after"])) or 1.0
-            pairs = zip(curve["before"], curve["after"], strict=True)
-            return max(abs(after - before) for before, after in pairs) / size
+            before: list[float] = curve["before"]
+            after: list[float] = curve["after"]
+            size = max(abs(value) for value in before + after) or 1.0
+            return max(abs(a - b) for a, b in zip(after, before, strict=True)) / size
 
         return max(curves, key=change, default=None)
 
