@@ -10,15 +10,12 @@ use dataset::{Dataset, Flight, Marker};
 
 /// Recording mistakes that can occur in flights of any body: name, expected kind of data fault, and the function that
 /// introduces the mistake into a flight.
-const SPOILS: [(&str, FaultKind, Spoil); 8] = [
+const SPOILS: [(&str, FaultKind, Spoil); 7] = [
     ("feet", FaultKind::Units, |f| {
         each_point(f, |p| p.map(|x| x / 0.3048));
     }),
     ("centimetres", FaultKind::Units, |f| {
         each_point(f, |p| p.map(|x| x * 100.0));
-    }),
-    ("millimetres read as centimetres", FaultKind::Units, |f| {
-        each_point(f, |p| p.map(|x| x * 10.0));
     }),
     ("z down", FaultKind::Axes, |f| {
         each_point(f, |[x, y, z]| [x, -y, -z]);
@@ -37,7 +34,11 @@ const SPOILS: [(&str, FaultKind, Spoil); 8] = [
     }),
 ];
 
-const DISC_SPOILS: [(&str, FaultKind, Spoil); 5] = [
+const DISC_SPOILS: [(&str, FaultKind, Spoil); 6] = [
+    // One point has no distances.
+    ("millimetres read as centimetres", FaultKind::Units, |f| {
+        each_point(f, |p| p.map(|x| x * 10.0));
+    }),
     ("labels", FaultKind::LabelsExchanged, |f| {
         f.positions.iter_mut().for_each(|row| row.swap(0, 1));
     }),
