@@ -134,7 +134,10 @@ mod tests {
             }
         }
         assert_eq!(mathml(r"\left( x"), None);
-        let spaced = mathml(r"\text{normal~load}").unwrap();
-        assert!(spaced.contains("normal\u{a0}load"), "{spaced}");
+        let spaced = mathml(r"\mathrm{normal~load}").unwrap();
+        assert!(
+            spaced.contains('\u{a0}') && !spaced.contains("nbsp"),
+            "{spaced}"
+        );
     }
 }
