@@ -138,7 +138,7 @@ pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Text of an error with its causes; a cause that an error before it states is not told again.
+/// Text of an error with its causes; a cause that an error before it states is not repeated.
 pub fn chain(error: &anyhow::Error) -> String {
     let mut text = String::new();
     for cause in error.chain().map(ToString::to_string) {

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import warnings
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
@@ -137,7 +136,7 @@ class Model(_hyzer.Model):
         True
         """
         begun = Release.of(release)
-        if begun.lacks_spin and re.search(r"^body ", self.text, re.MULTILINE):
+        if begun.lacks_spin and self.has_rotating_body:
             warnings.warn("thrown without spin; spin= states it, in rpm", stacklevel=2)
         name, text = begun.texts(self.name)
         pairs = list(numbers(values, "fly").items())

@@ -46,6 +46,12 @@ impl Model {
         self.tree.to_text("")
     }
 
+    /// Whether its body turns, so that a throw has a spin.
+    #[getter]
+    fn has_rotating_body(&self) -> bool {
+        self.checked.has_rotating_body()
+    }
+
     /// Names of the effects added.
     #[getter]
     fn effects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {

@@ -65,10 +65,7 @@ pub(super) fn run(options: &Simulate) -> anyhow::Result<Answer> {
         &model,
         &mut release,
     )?;
-    let turns = model
-        .body
-        .as_ref()
-        .is_some_and(|body| body.rotation.is_some());
+    let turns = model.has_rotating_body();
     if turns && first.is_none() && bare.is_some() && options.throw.spin.is_none() {
         eprintln!("note: thrown without spin; --spin states it, in rpm");
     }

@@ -480,7 +480,7 @@ fn bad_input_is_status_2_and_says_what_was_expected() {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn an_error_of_the_system_is_told_once() {
+fn an_error_of_the_system_is_reported_once() {
     for command in ["simulate", "synthesize"] {
         let mut command_line = hyzer();
         command_line.args([command, "disc", "--release", "backhand"]);

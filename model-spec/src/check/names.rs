@@ -179,7 +179,7 @@ impl Checker<'_> {
                  several factors"
             ));
         } else if name == "acceleration" && self.declared_body.is_some() {
-            let advice = self.derivative_advice();
+            let advice = self.acceleration_advice();
             fault = fault.help(format!("it follows from the forces: {advice}"));
         } else {
             fault = fault
@@ -255,7 +255,7 @@ impl Checker<'_> {
     }
 
     /// What stands for the acceleration in expressions and in cases.
-    fn derivative_advice(&self) -> String {
+    fn acceleration_advice(&self) -> String {
         let states = self.states_of_body("velocity");
         let state = states.map_or("STATE", |[.., last]| last);
         format!(
@@ -294,7 +294,7 @@ impl Checker<'_> {
                 state.text
             );
             let fault = Diagnostic::new(Kind::Cycle, span, message);
-            let advice = self.derivative_advice();
+            let advice = self.acceleration_advice();
             return self.refuse(fault.help(format!(
                 "the derivative of a position is a component of `velocity`; {advice}"
             )));

@@ -49,6 +49,12 @@ pub enum ClaimedAttitude {
 }
 
 impl Model {
+    /// Whether its body turns: rigid, not a point.
+    pub fn has_rotating_body(&self) -> bool {
+        let body = self.body.as_ref();
+        body.is_some_and(|body| body.rotation.is_some())
+    }
+
     /// Axes of the declared or claimed body in flight, and the index into [`Model::frames`] of their frame; `None`
     /// without a body that turns.
     pub fn flight_axes(&self) -> Option<(usize, FlightAxes)> {

@@ -63,11 +63,11 @@ fn notes(page: &ImportPage) -> Vec<String> {
             }
         }
     }
-    let told = |(note, files): (String, Vec<&str>)| match page.takes.len() {
+    let line = |(note, files): (String, Vec<&str>)| match page.takes.len() {
         1 => capitalized(&note),
         _ => format!("{}: {note}", first_of(&files)),
     };
-    found.into_iter().map(told).collect()
+    found.into_iter().map(line).collect()
 }
 
 /// The first of several recordings, and how many more there are.

@@ -92,7 +92,7 @@ pub fn free_loads(model: &Model) -> Model {
     // Stated equations of added states and the clock are checked by the vector tree instead.
     model.equations.clear();
     model.clock = None;
-    model.moments = if model.body.as_ref().is_some_and(|b| b.rotation.is_some()) {
+    model.moments = if model.has_rotating_body() {
         moment
     } else {
         Vec::new()
