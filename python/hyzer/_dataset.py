@@ -261,7 +261,8 @@ class Dataset:
         parameters : mapping of str to float
             Known constants of the body and its environment, SI; they replace those of the template.
         held_out : iterable of str, int or bool; str; int
-            Flights that a fit does not use: by name or number from 0, or a mask of all flights.
+            Flights that a fit does not use: by name or number from 0, by the name of the recording
+            that they were cut from, or a mask of all flights.
         name : str, optional
             Name of the dataset in reports; by default that of the folder of the first recording.
 
@@ -299,8 +300,9 @@ class Dataset:
         if not files:
             raise InputError("takes: found none, expected the paths of recordings")
         constants = numbers(parameters, "parameters")
-        made = _hyzer.import_takes([*arguments, "--", *files], constants)
-        apart = selected(held_out, {file: file for file in made.files}, "held_out")
+        made, recordings = _hyzer.import_takes([*arguments, "--", *files], constants)
+        cut = {path.name: flights for path, flights in recordings}
+        apart = _selected_of(cut, held_out, {file: file for file in made.files})
         text, tables, _, folder, about = made.held_out(apart).parts()
         if name is None:
             first = Path(files[0]).absolute()
@@ -347,6 +349,19 @@ class Dataset:
 def dataset_of(data: str | os.PathLike[str] | Dataset) -> _hyzer.Dataset:
     """Return a dataset given by its folder or as an object."""
     return (data if isinstance(data, Dataset) else Dataset.read(data)).native
+
+
+def _selected_of(
+    cut: Mapping[str, list[str]], held_out: Any, files: Mapping[Any, str]
+) -> list[str]:
+    """Return the flights held out, where a recording stands for the flights `cut` from it."""
+    if isinstance(held_out, str):
+        held_out = [held_out]
+    each: list[Any] = list(held_out) if isinstance(held_out, (list, tuple, set)) else []
+    named = [item for item in each if isinstance(item, (str, Path)) and Path(item).name in cut]
+    of_recordings = [file for item in named for file in cut[Path(item).name]]
+    rest = [item for item in each if item not in named] if named else held_out
+    return [*of_recordings, *selected(rest, files, "held_out")]
 
 
 def _of_parts(*parts: Any) -> Dataset:

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, final
 
 import numpy as np
@@ -175,7 +176,7 @@ def table_text(columns: Sequence[tuple[str, list[str], npt.ArrayLike]]) -> str: 
 def import_takes(
     arguments: Sequence[str],
     parameters: Mapping[str, float],
-) -> Dataset: ...
+) -> tuple[Dataset, list[tuple[Path, list[str]]]]: ...
 def sweep_plan() -> str: ...
 def fly(
     model: Model,

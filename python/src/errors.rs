@@ -7,6 +7,7 @@ use analysis::sweep::SweepError;
 use anyhow::Error;
 use dataset::InputError;
 use dataset::synthesize::SynthesisError;
+use dataset::takes::{Location, TakeError};
 use diagnose::DiagnosisError;
 use flight::files::ResultFolderError;
 use flight::release::ReleaseError;
@@ -165,8 +166,13 @@ pub fn of_class(class: &'static str, text: &str) -> PyErr {
     build(About::of(class), text)
 }
 
-fn build(about: About, text: &str) -> PyErr {
+fn build(mut about: About, text: &str) -> PyErr {
     let text = &with_keywords(text);
+    // Messages say what was expected last.
+    let expected = text.rsplit_once(", expected ");
+    about.hint = about
+        .hint
+        .or_else(|| Some(format!("expected {}", expected?.1)));
     Python::attach(|py| exception(py, about, text).unwrap_or_else(|error| error))
 }
 
@@ -211,10 +217,16 @@ fn about(error: &(dyn std::error::Error + 'static)) -> Option<About> {
     }
     if let Some(error) = error.downcast_ref::<InputError>() {
         let place = (Some(error.file.display().to_string()), error.place);
-        let hint = Some(format!("expected {}", error.expected));
         return Some(About {
             place,
-            hint,
+            ..About::of("InputError")
+        });
+    }
+    if let Some(error) = error.downcast_ref::<TakeError>() {
+        let is_placed = matches!(error.location, Location::Line(_) | Location::Cell(..));
+        let at = is_placed.then(|| error.location.place());
+        return Some(About {
+            place: (Some(error.file.display().to_string()), at),
             ..About::of("InputError")
         });
     }

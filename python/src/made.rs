@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use dataset::Marker;
@@ -101,17 +102,18 @@ pub fn synthesize(
     }
     Ok(Dataset {
         beside,
-        ..Dataset::of(data, String::new(), None)
+        ..Dataset::of(data, "synthetic".into(), None)
     })
 }
 
-/// Imports recordings by the arguments of `hyzer import`, with known constants.
+/// Imports recordings by the arguments of `hyzer import`, with known constants; also the recordings, with the files of the
+/// flights that were cut from each.
 #[pyfunction]
 pub fn import_takes(
     py: Python<'_>,
     arguments: Vec<OsString>,
     parameters: BTreeMap<String, f64>,
-) -> PyResult<Dataset> {
+) -> PyResult<(Dataset, Vec<(PathBuf, Vec<String>)>)> {
     let made = work::run(py, None, move |_| hyzer::program::import_takes(&arguments))?;
     let mut made = made.map_err(|error| raise_or("InputError", error))?;
     if !parameters.is_empty() {
@@ -125,12 +127,13 @@ pub fn import_takes(
         let checked = dataset::from_texts(&dataset::manifest_text(data), &tables.collect());
         checked.map_err(raise)?;
     }
-    Ok(Dataset {
+    let dataset = Dataset {
         beside: made.beside,
         comments: made.comments,
         decisions: with_keywords(&made.decisions),
         ..Dataset::of(made.dataset, String::new(), None)
-    })
+    };
+    Ok((dataset, made.recordings))
 }
 
 /// Text of a table from the arrays of its columns: name in messages, endings of the columns' names, numbers.

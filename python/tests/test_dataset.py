@@ -1,3 +1,4 @@
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -121,6 +122,36 @@ def test_imported_takes_have_constants_and_flights_apart() -> None:
         hyzer.Dataset.import_takes(takes, **options, parameters={"m": -1})
     with pytest.raises(hyzer.InputError, match="held_out: found the flight 2, expected"):
         hyzer.Dataset.import_takes(takes, **options, held_out=[2])
+
+
+def test_flights_are_held_out_by_their_recording(tmp_path: Path) -> None:
+    for name, source in [("b", "flight01"), ("c", "flight02"), ("d", "flight03")]:
+        shutil.copy(f"examples/disc/{source}.csv", tmp_path / f"throw_{name}.csv")
+    (tmp_path / "throw_a.csv").write_text("no recording\n")
+    data = hyzer.Dataset.import_takes(
+        tmp_path,
+        length="m",
+        time="s",
+        up="+z",
+        markers="examples/disc/dataset.toml",
+        held_out="throw_c.csv",
+    )
+    # The first recording has no flight.
+    assert data.files == ("flight01.csv", "flight02.csv", "flight03.csv")
+    assert [flight.role for flight in hyzer.fit(data).flights] == ["fit", "held_out", "fit"]
+
+
+def test_where_no_recording_has_a_throw_each_tells_why(tmp_path: Path) -> None:
+    (tmp_path / "one.csv").write_text("no recording\n")
+    shutil.copy("examples/disc/flight01.csv", tmp_path / "two.csv")
+    with pytest.raises(hyzer.InputError, match="found no throw") as raised:
+        hyzer.Dataset.import_takes(tmp_path, model="disc", length="m", time="s", up="+y")
+    assert "one.csv" in str(raised.value)
+    assert "two.csv: found no throw with +y up, and free flights with +z up" in str(raised.value)
+    with pytest.raises(hyzer.InputError) as raised:
+        hyzer.Dataset.import_takes(tmp_path / "one.csv", model="disc", up="+z")
+    assert raised.value.file == str(tmp_path / "one.csv")
+    assert raised.value.hint
 
 
 def test_faults_have_a_place() -> None:

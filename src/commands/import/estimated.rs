@@ -32,11 +32,14 @@ pub fn estimated(
 ) -> anyhow::Result<Estimated> {
     let up = super::up(options)?;
     let mut thrown: Vec<(Take, Throws)> = Vec::new();
+    let mut reasons = Vec::new();
     for file in &options.takes {
         let mut take = match dataset::takes::read(file, reading) {
             Ok(take) => take,
-            // It is told where the recordings are cut.
-            Err(_) if options.takes.len() > 1 => continue,
+            Err(error) if options.takes.len() > 1 => {
+                reasons.push(error.to_string());
+                continue;
+            }
             Err(error) => return Err(error.into()),
         };
         // The positions are estimated from the single points, not from poses of bodies.
@@ -46,16 +49,20 @@ pub fn estimated(
         let found = dataset::takes::find_throws(&turned, &[], &ThrowOptions::default());
         if !found.throws.is_empty() {
             thrown.push((turned, found));
-        } else if options.takes.len() == 1
-            && let Some(error) = found_otherwise(&take, file, &[], (up, options.left_handed))
-        {
-            return Err(error.into());
+        } else {
+            let why = found_otherwise(&take, file, &[], (up, options.left_handed));
+            reasons.push(match why {
+                Some(error) if options.takes.len() == 1 => return Err(error.into()),
+                Some(error) => error.to_string(),
+                None => format!("{}: no throw", file.display()),
+            });
         }
     }
     ensure!(
         !thrown.is_empty(),
-        "{} to estimate the template from, or a template by --markers",
-        no_throw()
+        "{} to estimate the template from, or a template by --markers\n  {}",
+        no_throw(),
+        reasons.join("\n  ")
     );
     let (labels, left_out) = labels(&thrown);
     let mut flights = Vec::new();

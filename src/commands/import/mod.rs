@@ -6,7 +6,7 @@ mod shots;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
 use dataset::takes::{
@@ -72,6 +72,8 @@ pub struct Imported {
     pub comments: Vec<String>,
     /// Text of the choices made.
     pub decisions: String,
+    /// Recordings with the files of the flights that were cut from each.
+    pub recordings: Vec<(PathBuf, Vec<String>)>,
 }
 
 /// Reads recordings and cuts them to the free flights.
@@ -155,6 +157,11 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
         Some(name) => dataset.sensors = vec![Sensor::new(&name, SensorKind::Pose, [0.0; 3])],
         None => dataset.markers = asked.markers,
     }
+    let recordings = found.takes.iter().map(|take| {
+        let flights = take.flights.iter().map(|flight| flight.file.clone());
+        (PathBuf::from(&take.file), flights.collect())
+    });
+    let recordings = recordings.collect();
     let name = options.out.file_name().unwrap_or(options.out.as_os_str());
     let page = report::import::html(&ImportPage {
         dataset: name.to_string_lossy().into_owned(),
@@ -168,6 +175,7 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
         beside,
         comments,
         decisions,
+        recordings,
     })
 }
 

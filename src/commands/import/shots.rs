@@ -32,6 +32,7 @@ pub(super) fn imported(options: &Import) -> anyhow::Result<Imported> {
         beside: vec![(DECISIONS.to_owned(), decisions.clone())],
         comments: Vec::new(),
         decisions,
+        recordings: Vec::new(),
     })
 }
 

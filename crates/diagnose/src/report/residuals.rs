@@ -216,6 +216,8 @@ impl Report {
             ),
         ];
         self.cautions = cautions.into_iter().flatten().collect();
+        self.cautions
+            .extend(before.report.doubtful_constants().cloned());
         if self.verdict == Verdict::Adequate {
             self.cautions.extend(fit.report.doubt_of_summaries.clone());
         }

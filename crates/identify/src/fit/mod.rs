@@ -50,7 +50,9 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::{FitProblem, whitened_tolerance};
-use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, MARKER};
+use crate::report::{
+    FitReport, FlightEvidence, FlightOutcome, FlightReport, MARKER, far_constants,
+};
 use crate::{inputs, screening, vertical};
 use dataset::{Dataset, Flight, Role};
 pub use finished::fit_observations;
@@ -282,6 +284,7 @@ impl Screened<'_> {
         report.notes = summaries::notes(problem, dataset);
         report.notes.extend(inputs::notes(problem, dataset));
         report.notes.extend(marker_noise::notes(problem, &noise));
+        report.far_constants = far_constants(problem, dataset);
         report.assess();
         let total = self.clock.elapsed().as_secs_f64();
         let seconds = [started, solved - started, total];

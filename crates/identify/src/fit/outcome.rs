@@ -99,6 +99,7 @@ pub fn reports(
         notes: Vec::new(),
         lack_of_fit: None,
         doubts,
+        far_constants: Vec::new(),
         doubt_of_summaries,
         open_side: open_side(state.problem, &state.flights),
         excess: marker_distances::excess(state, &fitted.cache),

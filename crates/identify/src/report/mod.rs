@@ -5,6 +5,7 @@ mod lack_of_fit;
 mod outcome;
 mod reliability;
 mod residuals;
+mod stated;
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -23,6 +24,7 @@ pub use outcome::{MARKER, Rms};
 pub(crate) use reliability::LACK_OF_FIT_LEVEL;
 pub use reliability::{MAX_PRIOR_CONFLICT, convergence_caution, exclusion_caution, input_noise};
 pub(crate) use residuals::ResidualPool;
+pub use stated::{FarConstant, far_constants};
 
 /// Content of `report.json` of a fit, schema `hyzer.fit/2`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -76,6 +78,10 @@ pub struct FitReport {
     #[serde(skip)]
     #[doc(hidden)]
     pub contradicted: Vec<String>,
+    /// Constants that are stated far from the model's values.
+    #[serde(skip)]
+    #[doc(hidden)]
+    pub far_constants: Vec<FarConstant>,
     /// What the fit found against its estimates, one sentence each.
     #[serde(skip)]
     #[doc(hidden)]

@@ -1,6 +1,6 @@
 //! Assessment whether a fit is reliable, with the reasons if it is not.
 
-use super::{Coefficient, FitReport, FitStatus, InputNoise};
+use super::{Coefficient, FitReport, FitStatus, InputNoise, stated};
 use crate::levels::{LEAST_NOISE, SIGNIFICANT};
 use crate::numbers::Digits;
 use crate::wording::{count, listed};
@@ -42,6 +42,14 @@ impl FitReport {
         priors.chain(self.contradicted.iter().cloned()).collect()
     }
 
+    /// Cautions of constants that seem to be stated in another unit than the model's.
+    #[doc(hidden)]
+    pub fn doubtful_constants(&self) -> impl Iterator<Item = &String> {
+        let is_constant =
+            |why: &&String| self.far_constants.iter().any(|far| far.sentence == **why);
+        self.cautions.iter().filter(is_constant)
+    }
+
     /// Sentences on priors that the data contradict, each with the number of standard deviations: without the prior, χ²
     /// falls by its square.
     #[doc(hidden)]
@@ -69,7 +77,10 @@ fn cautions(report: &FitReport) -> Vec<String> {
     let coefficients = report.coefficients.iter();
     cautions.extend(coefficients.filter_map(|(name, own)| at_bound(name, own)));
     cautions.extend(report.conflicts());
-    cautions
+    // A wrong unit explains the others.
+    let mut all: Vec<String> = stated::cautions(report, !cautions.is_empty()).collect();
+    all.append(&mut cautions);
+    all
 }
 
 /// Caution that the fit, called `fit` in the sentence, did not converge; `None` if it converged.

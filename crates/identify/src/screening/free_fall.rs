@@ -6,7 +6,7 @@ use model_spec::model::{ExprKind, FrameKind, Model};
 use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
-use super::distances::{UNITS, correction, unit};
+use super::distances::{UNITS, confused, correction, unit};
 use super::loads::{Regression, Row, regress, rows};
 use super::mirror::{MEND, UPRIGHT, reflection, upright};
 use super::track::{Conversion, Track};
@@ -185,14 +185,21 @@ impl<'a> FreeFall<'a> {
             let mut near = UNITS[..4].iter().copied();
             near.find(|(length, _)| (ratio * length).ln().abs() < 0.2)
         });
-        if let (Some((length, name)), false) = (length, self.template_gives_lengths())
-            && self.drag_suggests_lengths(ratio, free) != Some(false)
-        {
-            return (
-                FaultKind::Units,
+        let told = match (length, confused(ratio)) {
+            (Some((length, name)), _) => Some((
                 format!("{detail}, as if positions were in {name}"),
                 correction("the positions", length),
-            );
+            )),
+            (None, Some((own, read))) => Some((
+                format!("{detail}, as if {own} had been read as {read}"),
+                format!("state that the recordings are in {own}"),
+            )),
+            (None, None) => None,
+        };
+        if let (Some((detail, correction)), false) = (told, self.template_gives_lengths())
+            && self.drag_suggests_lengths(ratio, free) != Some(false)
+        {
+            return (FaultKind::Units, detail, correction);
         }
         let (told, correction) = time_words(ratio);
         (FaultKind::TimeUnit, format!("{detail}{told}"), correction)

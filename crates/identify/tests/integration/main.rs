@@ -10,5 +10,6 @@ mod marker_noise;
 mod near_copies;
 mod planar;
 mod single_flights;
+mod stated_constants;
 mod summaries;
 mod units_of_readings;

@@ -80,6 +80,24 @@ fn mistakes_in_flights_of_a_ball_are_named() {
     assert_named(&model, &dataset, &[&SPOILS[..], &BALL_SPOILS].concat());
 }
 
+#[test]
+fn a_ball_whose_millimetres_were_read_as_centimetres_is_named() {
+    let (model, dataset) = ball(4);
+    let all: Vec<usize> = (0..dataset.flights.len()).collect();
+    let tenfold: Spoil = |f| each_point(f, |p| p.map(|x| x * 10.0));
+    let faults = found(&model, &spoiled(&dataset, &all, tenfold));
+    assert_eq!(faults.len(), all.len());
+    for fault in faults {
+        assert_eq!(fault.fault, FaultKind::Units, "{fault:?}");
+        assert!(
+            fault
+                .detail
+                .contains("millimetres had been read as centimetres"),
+            "{fault:?}"
+        );
+    }
+}
+
 /// Introduces each mistake of `spoils`, first into one flight and then into all flights. Asserts that the expected kind
 /// of fault is reported for exactly the flights with the mistake.
 fn assert_named(model: &Model, dataset: &Dataset, spoils: &[(&str, FaultKind, Spoil)]) {

@@ -1,0 +1,49 @@
+//! Constants that a dataset states in another unit than the model's.
+
+use dataset::Dataset;
+use dataset::synthesize::{Plan, flights};
+use flight::release::{Vocabulary, built_in, read};
+use identify::{FitOptions, fit};
+use model_spec::model::Model;
+
+/// The disc, and flights of one whose mass is `times` as large.
+fn thrown(times: f64) -> (Model, Dataset) {
+    let model = model_spec::load::load("disc", &[]).expect("built in");
+    let mut thrown = model.clone();
+    let mut parameters = thrown.params.iter_mut();
+    parameters
+        .find(|own| own.name == "m")
+        .expect("a mass")
+        .value *= times;
+    let text = built_in("backhand").expect("built in");
+    let release = read("backhand", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let plan = Plan {
+        flights: 3,
+        duration: Some(0.6),
+        ..Plan::default()
+    };
+    let made = flights(&thrown, &[release], &plan).expect("made");
+    (model, made.dataset)
+}
+
+/// Cautions of a fit where the mass is stated, kg.
+fn cautions((model, dataset): &(Model, Dataset), mass: f64) -> Vec<String> {
+    let mut stated = dataset.clone();
+    stated.parameters.insert("m".into(), mass);
+    let found = fit(model, &stated, &FitOptions::default()).expect("a fit");
+    found.report.cautions
+}
+
+#[test]
+fn a_mass_in_grams_is_told_and_a_heavy_body_is_not() {
+    let told = cautions(&thrown(1.0), 175.0);
+    assert!(
+        told[0].contains("m is stated as 175\u{a0}kg, 1000 times the"),
+        "{told:?}"
+    );
+    let heavy = cautions(&thrown(60.0), 60.0 * 0.175);
+    assert!(
+        heavy.iter().all(|why| !why.contains("is stated as")),
+        "{heavy:?}"
+    );
+}
