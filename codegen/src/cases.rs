@@ -1,10 +1,13 @@
 //! Evaluation of the check cases of a model file on a tape.
 
+use std::fmt;
+
 use crate::compile::scheduled_values;
 use crate::graph::NodeId;
 use crate::lower::lower;
 use crate::tape::{Inputs, Tape};
 use model_spec::model::{CheckCase, Expectation, Model, Observable, Target};
+use model_spec::with_unit;
 
 /// Expected and computed value of one quantity of a check case.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +26,21 @@ impl Comparison {
     /// Whether the computed value is within the tolerance of the expected value; false for NaN.
     pub fn is_met(&self) -> bool {
         (self.found - self.expected.value).abs() <= self.expected.within
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let value = |of: f64| with_unit(of, &self.unit);
+        let Expectation {
+            value: of, within, ..
+        } = self.expected;
+        let (found, expected, within) = (value(self.found), value(of), value(within));
+        write!(
+            f,
+            "{} = {found}, expected {expected} within {within}",
+            self.name
+        )
     }
 }
 

@@ -9,7 +9,7 @@ use identify::numbers::significant;
 use model_spec::layout::Layout;
 use model_spec::load::inspect;
 use model_spec::model::{Expr, ExprKind, Model};
-use model_spec::{render, summary, with_unit};
+use model_spec::{render, summary};
 
 use crate::cli::Check;
 use crate::{Answer, output};
@@ -81,14 +81,7 @@ fn cases(model: &Model) -> (String, bool) {
         let _ = writeln!(text, "  {verdict}  {title}");
         for result in &results {
             let failed = if result.is_met() { "" } else { "  ← fails" };
-            let _ = writeln!(
-                text,
-                "        {} = {}, expected {} within {}{failed}",
-                result.name,
-                with_unit(result.found, &result.unit),
-                with_unit(result.expected.value, &result.unit),
-                with_unit(result.expected.within, &result.unit),
-            );
+            let _ = writeln!(text, "        {result}{failed}");
         }
     }
     (text, all_pass)

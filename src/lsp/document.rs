@@ -13,7 +13,7 @@ use model_spec::syntax::ast::{self, ItemKind};
 use model_spec::syntax::{MAX_SOURCE_BYTES, parse};
 use serde_json::Value;
 
-use super::operations;
+use super::computed;
 use super::positions::Lines;
 use super::uri;
 
@@ -115,7 +115,7 @@ impl Document {
     /// Operations for each auxiliary variable of the model, by its index; none if they are not known.
     pub fn operations(&self) -> &[usize] {
         let model = self.model.as_ref();
-        let count = || model.map_or_else(Vec::new, operations::of_quantities);
+        let count = || model.map_or_else(Vec::new, computed::of_quantities);
         self.operations.get_or_init(count)
     }
 
@@ -154,7 +154,13 @@ fn checked(path: &str, text: &str, open: &Open<'_>) -> Checked {
         return of_effect(path, text, parsed.diagnostics);
     }
     match inspect_open(path, text, open) {
-        Ok(loaded) => (loaded.diagnostics, loaded.sources, loaded.model),
+        Ok(mut loaded) => {
+            let model = loaded.model.as_ref();
+            if let Some(model) = model.filter(|_| loaded.diagnostics.is_empty()) {
+                loaded.diagnostics = computed::failing_checks(model);
+            }
+            (loaded.diagnostics, loaded.sources, loaded.model)
+        }
         Err(LoadError::Faults {
             diagnostics,
             sources,

@@ -4,6 +4,7 @@
 //! never behind.
 
 mod completion;
+mod computed;
 mod document;
 mod facts;
 mod faults;
@@ -11,7 +12,6 @@ mod hover;
 mod includes;
 mod layout;
 mod names;
-mod operations;
 mod positions;
 mod project;
 mod transport;

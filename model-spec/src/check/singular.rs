@@ -300,7 +300,15 @@ impl Checker<'_> {
                     }
                 }
                 faults.extend(self.outside_domain(e, &signs));
-                if let ExprKind::Call(Function::Tan, angle) = &e.kind {
+                let is_arc = |angle| {
+                    matches!(
+                        named(&self.model, angle).kind,
+                        ExprKind::Call(Function::Atan, _)
+                    )
+                };
+                if let ExprKind::Call(Function::Tan, angle) = &e.kind
+                    && !is_arc(angle)
+                {
                     let mut cosine = e.clone();
                     cosine.kind = ExprKind::Call(Function::Cos, angle.clone());
                     if !signs.of(&cosine).never_zero() {
