@@ -23,9 +23,13 @@ pub(super) const CONSTANTS: [&str; 16] = [
     "SOURCE_HASH",
 ];
 
+/// Variants of enumerations that are in scope everywhere, which no `let` can shadow.
+const VARIANTS: [&str; 4] = ["Some", "None", "Ok", "Err"];
+
 /// Whether a name cannot be a local variable: no identifier, or an argument or item that a `let` would shadow.
 pub(super) fn is_reserved(name: &str) -> bool {
     parsed(name).is_none()
+        || VARIANTS.contains(&name)
         || signature::is_argument(name)
         || CONSTANTS.contains(&name)
         || helpers::is_helper(name)
@@ -112,6 +116,7 @@ mod tests {
             "dx",
             "STATES",
             "sqrt_or_zero",
+            "None",
         ] {
             assert!(is_reserved(name), "{name}");
         }

@@ -69,8 +69,9 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
         return report;
     };
     report.model.clone_from(&model.name);
-    if let Some(fault) = checks::determined::fault(model, options) {
-        report.rows.push(fault);
+    let nowhere = checks::determined::fault(model, options);
+    if let Some(row) = nowhere.or_else(|| checks::determined::unreached(model, options)) {
+        report.rows.push(row);
         return report;
     }
     let compiled = codegen::compile(model);

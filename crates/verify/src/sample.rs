@@ -19,6 +19,10 @@ const FEW_DRAWS: usize = 30;
 const MAX_MOVES: usize = 2000;
 /// Maximum number of changes one after another that bring the point no closer.
 const MAX_VAIN: usize = 300;
+/// Decades of the changes, in units of typical sizes; the largest is also that of a bound times [`BEYOND_BOUND`].
+const MOVES: (f64, f64) = (-3.0, 4.0);
+/// Largest change of a state, in units of the largest bound.
+const BEYOND_BOUND: f64 = 10.0;
 /// Number of halvings of the distance between the default point and a point outside the limits, plus 1.
 const HALVINGS: i32 = 20;
 
@@ -110,6 +114,9 @@ fn moved(
     random: &mut Random,
 ) -> Option<Point<f64>> {
     let model = margins.model;
+    let farthest = 10f64
+        .powf(MOVES.1)
+        .max(BEYOND_BOUND * margins.largest_bound());
     let mut best = point.clone();
     let mut outside = margins.shortfall(&best, part);
     let mut vain = 0;
@@ -120,7 +127,8 @@ fn moved(
         vain += 1;
         let mut next = best.clone();
         let state = (random.next() % best.states.len() as u64) as usize;
-        let size = typical(model.states[state].unit) * 10f64.powf(random.between(-3.0, 4.0));
+        let decades = random.between(MOVES.0, farthest.log10());
+        let size = typical(model.states[state].unit) * 10f64.powf(decades);
         next.states[state] += random.within(size);
         normalize(model, &mut next);
         let next_outside = margins.shortfall(&next, part);
@@ -197,6 +205,12 @@ impl<'a> Margins<'a> {
             }));
         }
         Self { model, limits }
+    }
+
+    /// Largest bound of a limit: a body that is valid a planet's radius away is moved that far.
+    fn largest_bound(&self) -> f64 {
+        let bounds = self.limits.iter().map(|(limit, _)| limit.bound.abs());
+        bounds.filter(|bound| bound.is_finite()).fold(0.0, f64::max)
     }
 
     fn hold(&self, point: &Point<f64>) -> bool {

@@ -113,6 +113,7 @@ impl<'m> Signs<'m> {
             K::Call(Function::Sqrt, _) => Sign::NotNegative,
             K::Call(Function::Abs, a) if self.of(a).never_zero() => Sign::Positive,
             K::Call(Function::Abs, _) => Sign::NotNegative,
+            K::Dot(a, b) if a.same(b) => Sign::NotNegative,
             K::Ratio(parts) => {
                 let signs = parts.each_ref().map(|part| self.of(part));
                 match signs.iter().all(|sign| sign.never_negative()) {

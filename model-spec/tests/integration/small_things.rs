@@ -304,6 +304,7 @@ fn divisors_and_tangents_of_bounded_angles_are_kept_from_zero() {
         "1/log(2)",
         "1/cos(pi)",
         "tan(atan(a - 3))",
+        "1/sqrt(dot(velocity, velocity) + (1e-8 [m^2/s^2]))",
     ] {
         read(&format!("{angles} let b = {allowed};"));
     }

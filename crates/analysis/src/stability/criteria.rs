@@ -27,6 +27,7 @@
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use crate::stability::linearise::Linearised;
+use crate::stability::modes::{NEUTRAL, ROUNDING};
 
 /// Direction in which a body flies relative to its third axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,9 +67,9 @@ pub struct Criteria {
     pub dynamic_factor: Option<f64>,
     /// Whether ν² + δ² + 2 a δ > κ; along the axis, whether S_g > 1 or κ ≤ a δ.
     pub gyroscopic: bool,
-    /// Whether a (ν² + δ²) > κ δ: lift turns the path faster than the axis drifts; along the axis, the slower motion.
+    /// Whether a (ν² + δ²) ≥ κ δ: lift turns the path faster than the axis drifts; along the axis, the slower motion.
     pub slow: bool,
-    /// Whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ: the wobble, or the faster motion, decays.
+    /// Whether (2 δ + a)(ν² + δ² + 2 a δ − κ) ≥ a (ν² + δ²) − κ δ: the wobble, or the faster motion, does not grow.
     pub wobble: bool,
     /// Frequency of the nutation, |ν| − κ/(2 |ν|), rad/s, to first order in κ/ν².
     pub nutation: f64,
@@ -83,9 +84,24 @@ impl AxisDerivatives {
     pub fn of(linearised: &Linearised, wind: Vector3<f64>) -> AxisDerivatives {
         let n = linearised.axis;
         let velocity = linearised.motion.velocity - wind;
-        if n.dot(&velocity).abs() > velocity.norm() * std::f64::consts::FRAC_1_SQRT_2 {
-            return AxisDerivatives::along_axis(linearised, velocity);
+        let least = ROUNDING * linearised.matrix.norm();
+        let kept = |value: f64| if value.abs() < least { 0.0 } else { value };
+        let all = match n.dot(&velocity).abs() > velocity.norm() * std::f64::consts::FRAC_1_SQRT_2 {
+            true => AxisDerivatives::along_axis(linearised, velocity),
+            false => AxisDerivatives::across_axis(linearised, velocity),
+        };
+        AxisDerivatives {
+            lift: kept(all.lift),
+            damping: kept(all.damping),
+            pitching: kept(all.pitching),
+            magnus: kept(all.magnus),
+            ..all
         }
+    }
+
+    /// Derivatives of a body that flies across its axis.
+    fn across_axis(linearised: &Linearised, velocity: Vector3<f64>) -> AxisDerivatives {
+        let n = linearised.axis;
         let flat = velocity - n * n.dot(&velocity);
         let d1 = flat.try_normalize(1e-9).unwrap_or_else(Vector3::x);
         let d2 = n.cross(&d1);
@@ -183,8 +199,8 @@ impl AxisDerivatives {
             gyroscopic_factor: h * h / (4.0 * stiffness),
             dynamic_factor: Some(dynamic).filter(|factor| factor.is_finite()),
             gyroscopic: h * h > 4.0 * stiffness,
-            slow: slow.re < 0.0,
-            wobble: fast.re < 0.0,
+            slow: slow.re < NEUTRAL,
+            wobble: fast.re < NEUTRAL,
             nutation: fast.im.abs(),
             nutation_decay: -fast.re,
             roll_rate: f64::NAN,
@@ -201,8 +217,8 @@ impl AxisDerivatives {
             gyroscopic_factor: held / k,
             dynamic_factor: None,
             gyroscopic: held > k,
-            slow: slow > 0.0,
-            wobble: (2.0 * d + a) * (held - k) > slow,
+            slow: slow >= 0.0,
+            wobble: (2.0 * d + a) * (held - k) >= slow,
             nutation: h.abs() - k / (2.0 * h.abs()),
             nutation_decay: d - k * (a - d) / (2.0 * h * h),
             roll_rate: -self.moment / h,
@@ -211,13 +227,13 @@ impl AxisDerivatives {
 }
 
 impl Criteria {
-    /// Whether all three conditions hold, so that every motion of the axis relative to the air stream decays.
+    /// Whether all three conditions hold, so that no motion of the axis relative to the air stream grows.
     pub fn is_stable(&self) -> bool {
         self.gyroscopic && self.slow && self.wobble
     }
 }
 
 /// A unit vector normal to the unit vector `n`.
-fn any_normal(n: Vector3<f64>) -> Vector3<f64> {
+pub(super) fn any_normal(n: Vector3<f64>) -> Vector3<f64> {
     n.cross(&Vector3::ith(n.iamin(), 1.0)).normalize()
 }

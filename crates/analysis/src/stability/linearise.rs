@@ -11,6 +11,7 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
 
+use super::criteria::any_normal;
 use super::state_space::StateSpace;
 
 /// Time step of the sixth-order central differences along a flight, s.
@@ -21,6 +22,9 @@ const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 /// Largest part of a unit change of the motion (m, m/s, rad, rad/s) that the states of a free rigid body may miss, by
 /// rounding or because the length of a quaternion has drifted; a constraint takes away a whole direction.
 const REACHED: f64 = 1e-2;
+
+/// Difference of the moments of inertia about axes across that of the spin, over their sum, up to which it is rounding.
+const ROUND: f64 = 1e-9;
 
 /// Reason why the motion of a body cannot be linearised.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -106,6 +110,8 @@ pub struct Linearised {
     pub angular_acceleration: Vector3<f64>,
     /// Moment of inertia about that axis, and mean of those about the axes normal to it, kg m².
     pub inertia: (f64, f64),
+    /// Whether the moments of inertia about all axes normal to it are equal.
+    pub is_round: bool,
     /// 12 × 12 matrix A of ẋ = A x with x = (displacement, change of velocity, small rotation, change of angular
     /// velocity), SI.
     pub matrix: DMatrix<f64>,
@@ -205,7 +211,13 @@ impl BoundBody<'_> {
             .inertia(state, &self.parameters)
             .unwrap_or_else(Matrix3::identity);
         let about = axis.dot(&(inertia * axis));
+        let across = any_normal(axis);
+        let other = axis.cross(&across);
+        let product = |a: Vector3<f64>, b: Vector3<f64>| a.dot(&(inertia * b));
+        let uneven =
+            (product(across, across) - product(other, other)).hypot(2.0 * product(across, other));
         Ok(Linearised {
+            is_round: uneven < ROUND * inertia.trace(),
             axis,
             rates,
             acceleration: part(3),

@@ -33,7 +33,7 @@ mod trim;
 
 pub use criteria::{AxisDerivatives, Criteria, FlightDirection};
 pub use linearise::{Body, BoundBody, Linearised, StabilityError};
-pub use modes::{Mode, ModeKind, Modes, modes};
+pub use modes::{Mode, ModeKind, Modes, NEUTRAL, modes};
 pub use state_space::{ControlDerivative, StateSpace};
 pub use survey::{Instant, along, at, map};
 pub use trim::{Trim, trim};

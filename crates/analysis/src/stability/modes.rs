@@ -5,8 +5,12 @@ use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
 use crate::stability::linearise::Linearised;
 
-/// Greatest element of a column, relative to the matrix's norm, for a coordinate on which no rate of change depends.
-const IGNORABLE: f64 = 1e-9;
+/// Size of an element of the linearised motion, or of the real part of an eigenvalue, relative to the norm, below which it is
+/// rounding.
+pub(super) const ROUNDING: f64 = 1e-9;
+
+/// Rate below which a motion neither decays nor grows, 1/s: it doubles in a week.
+pub const NEUTRAL: f64 = 1e-6;
 
 /// Kind of a mode of the linearised motion, by the variables that change most in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,17 +66,19 @@ impl Mode {
         self.value.im.abs()
     }
 
-    /// Decay rate of the mode, 1/s; negative if the mode grows.
+    /// Decay rate of the mode, 1/s; negative if the mode grows, 0 where the sign is due to rounding.
     pub fn decay(&self) -> f64 {
-        -self.value.re
+        match self.value.re.abs() < ROUNDING * (1.0 + self.value.norm()) {
+            true => 0.0,
+            false => -self.value.re,
+        }
     }
 
     /// Damping ratio −Re/|λ|; 1 for a decaying mode without oscillation, 0 for a neutral one.
     pub fn damping_ratio(&self) -> f64 {
-        match self.value.norm() {
-            // Neutral mode: the sign of its real part is due to rounding.
-            size if size < 1e-8 => 0.0,
-            size => -self.value.re / size,
+        match self.decay() {
+            0.0 => 0.0,
+            decay => decay / self.value.norm(),
         }
     }
 }
@@ -85,11 +91,12 @@ pub struct Modes {
     /// Names of the coordinates on which no rate of change depends.
     pub ignorable: Vec<&'static str>,
     /// Whether no rate of change depends on the rotation angle about the axis, as for a body of revolution. Otherwise the
-    /// linearised motion of a spinning body changes within every turn.
+    /// linearised motion of a spinning body changes within every turn, and the modes are those in axes that turn with it.
     pub is_symmetric: bool,
 }
 
-/// Modes in axes that rotate about the vertical at the rate `turn`, rad/s: 0, or that of a steady turn.
+/// Modes in axes that rotate about the vertical at the rate `turn`, rad/s: 0, or that of a steady turn. Those of a body that
+/// is none of revolution are in axes that turn with it: its inertia is constant in them.
 pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     let n = linearised.axis;
     // Coordinates: displacement 3, velocity 3, tilt of the axis 2, turn about it 1, angular velocity 3.
@@ -120,13 +127,17 @@ pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
             .iter()
             .filter(|row| **row != place && (place < 3 || !(6..9).contains(*row)));
         let column = rows.map(|row| still[(*row, place)].abs());
-        if column.fold(0.0, f64::max) < IGNORABLE * size {
+        if column.fold(0.0, f64::max) < ROUNDING * size {
             kept.retain(|k| *k != place);
             ignorable.push(names[place]);
         }
     }
+    let is_symmetric = linearised.is_round && ignorable.contains(&names[8]);
     let mut matrix = linearised.matrix.clone();
-    let about = Vector3::new(0.0, 0.0, turn).cross_matrix();
+    let about = match is_symmetric {
+        true => Vector3::new(0.0, 0.0, turn).cross_matrix(),
+        false => linearised.rates.cross_matrix(),
+    };
     for block in 0..4 {
         let mut part = matrix.view_mut((3 * block, 3 * block), (3, 3));
         part -= about;
@@ -168,7 +179,7 @@ pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     let gyroscopic = (linearised.inertia.0 / linearised.inertia.1 * spin).abs();
     name(&mut modes, gyroscopic, size);
     Modes {
-        is_symmetric: ignorable.contains(&"turn about the axis"),
+        is_symmetric,
         ignorable,
         modes,
     }

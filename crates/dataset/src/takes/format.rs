@@ -33,6 +33,46 @@ pub enum Format {
 /// Maximum number of header lines before the first row of data in a Qualisys table.
 pub(crate) const QUALISYS_HEADER: usize = 40;
 
+/// First bytes of files that are not read, what they are, and what to do with them.
+const OTHERS: [(&[u8], &str, &str); 8] = [
+    (
+        b"PK\x03\x04",
+        "a ZIP archive",
+        "a workbook is exported as CSV first",
+    ),
+    (
+        b"\xD0\xCF\x11\xE0",
+        "an Excel workbook",
+        "it is exported as CSV first",
+    ),
+    (b"\x1F\x8B", "a gzip archive", "it is unpacked first"),
+    (
+        b"MATLAB 5.0",
+        "a MATLAB file",
+        "its arrays are written by `writetable` first",
+    ),
+    (
+        b"\x89HDF",
+        "an HDF5 file",
+        "its arrays are written as CSV first",
+    ),
+    (
+        b"PAR1",
+        "a Parquet file",
+        "it is written as CSV first, or given to `Dataset.from_pandas`",
+    ),
+    (
+        b"\x93NUMPY",
+        "a NumPy array",
+        "it is written as CSV first, or given to `Dataset.from_arrays`",
+    ),
+    (
+        b"Kaydara FBX",
+        "an FBX scene",
+        "its markers are exported as C3D or CSV first",
+    ),
+];
+
 impl Format {
     /// All formats, each with its name in the option `--format` and its name in messages.
     pub const ALL: [(Self, &'static str, &'static str); 8] = [
@@ -65,9 +105,10 @@ impl Format {
         if is_c3d(bytes) {
             return Ok(Self::C3d);
         }
-        if bytes.starts_with(b"PK\x03\x04") {
-            let expected = "a recording; a workbook is exported as CSV first";
-            return Err(Fault::new(Location::Byte(0), "a ZIP archive", expected));
+        let mut others = OTHERS.iter();
+        if let Some((_, found, first)) = others.find(|(start, ..)| bytes.starts_with(start)) {
+            let expected = format!("a recording; {first}");
+            return Err(Fault::new(Location::Byte(0), *found, expected));
         }
         let text = joined(with_bare_header(crate::takes::file::text(bytes)?));
         let lines = || text.lines().zip(1..);

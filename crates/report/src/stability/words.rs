@@ -1,7 +1,7 @@
 //! Sentences of a stability analysis, and its JSON and CSV.
 
 use analysis::stability::{
-    Criteria, FlightDirection, Instant, Mode, ModeKind, Modes, StateSpace, Trim,
+    Criteria, FlightDirection, Instant, Mode, ModeKind, Modes, NEUTRAL, StateSpace, Trim,
 };
 use nalgebra::DMatrix;
 use serde_json::{Value, json};
@@ -10,8 +10,8 @@ use super::Found;
 use crate::CsvTable;
 
 /// Warning on a body that is no body of revolution.
-pub(super) const INSTANT: &str = "The motion depends on the turn about the body's axis. For a spinning body the modes are those of an instant alone, and \
-     the criteria do not apply.";
+pub(super) const INSTANT: &str = "The motion depends on the turn about the body's axis. The modes are those in axes that turn with the body; where the air \
+     acts on it from one side, they are those of an instant alone, and the criteria do not apply.";
 
 /// The modes with their names, those of one kind numbered from the fastest.
 pub(super) fn named(modes: &Modes) -> Vec<(&Mode, String)> {
@@ -45,14 +45,17 @@ pub(super) fn lead(found: &Found) -> Vec<String> {
     if let Some(mode) = nutation(&found.release.modes) {
         let (frequency, decay) = (mode.frequency(), mode.decay());
         lead.push(format!(
-            "At release the axis circles at {frequency:.2} rad/s ({:.2} Hz) and its wobble {} at {:.3} 1/s.",
+            "At release the axis circles at {frequency:.2} rad/s ({:.2} Hz) and its wobble {}{}.",
             frequency / std::f64::consts::TAU,
-            decays(decay >= 0.0),
-            decay.abs()
+            course(-decay),
+            match decay.abs() < NEUTRAL {
+                true => String::new(),
+                false => format!(" at {:.3} 1/s", decay.abs()),
+            }
         ));
     }
     let growing = named(&found.release.modes).into_iter();
-    let growing = growing.filter(|(mode, _)| mode.decay() < -1e-6);
+    let growing = growing.filter(|(mode, _)| mode.decay() < -NEUTRAL);
     let names = growing.map(|(mode, name)| format!("{name} ({:.3} 1/s)", -mode.decay()));
     let names: Vec<String> = names.collect();
     lead.push(if names.is_empty() {
@@ -99,7 +102,8 @@ pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
             ),
         ],
         FlightDirection::AlongAxis => {
-            let (slow, fast) = (decays(c.slow), decays(c.wobble));
+            let motions: Vec<f64> = d.eigenvalues().iter().map(|value| value.re).collect();
+            let (fast, slow) = (course(motions[0]), course(motions[1]));
             let dynamic = c.dynamic_factor;
             let dynamic = dynamic.map_or_else(String::new, |s_d| format!(", $S_d$ = {s_d:.2}"));
             vec![
@@ -130,8 +134,13 @@ pub(super) fn of_criteria(instant: &Instant) -> Vec<String> {
     lines
 }
 
-fn decays(decays: bool) -> &'static str {
-    if decays { "decays" } else { "grows" }
+/// What a motion does that grows at a rate, 1/s.
+fn course(growth: f64) -> &'static str {
+    match growth {
+        _ if growth.abs() < NEUTRAL => "neither decays nor grows",
+        _ if growth < 0.0 => "decays",
+        _ => "grows",
+    }
 }
 
 fn factor(criteria: &Criteria) -> String {

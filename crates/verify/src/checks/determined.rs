@@ -1,4 +1,5 @@
-//! Whether the equations of blocks `solve { … }` determine their unknowns anywhere.
+//! Whether there are states at which a model can be checked: within its limits, and with the unknowns of its blocks
+//! `solve { … }` determined.
 
 use crate::options::Options;
 use crate::random::Random;
@@ -9,6 +10,17 @@ use oracle::{Point, Tree};
 
 /// Name of this check in reports: the unknowns of blocks `solve` are determined at some states.
 pub const DETERMINED: &str = "unknowns determined";
+
+/// Name of the check that a state within the limits of validity is found.
+const WITHIN: &str = "limits of validity";
+
+/// That no state within the limits of validity was found, so that no other check can be made; otherwise `None`.
+pub fn unreached(model: &Model, options: &Options) -> Option<Row> {
+    let mut random = Random::new(options.seed, WITHIN);
+    let point = sample::near(model, &mut random);
+    let why = "no state within them was found; give the states values within, as in `position (x, y, z) in N = (7e6, 0, 0) m`";
+    (!sample::is_valid(model, &point)).then(|| Row::unverified(WITHIN, why))
+}
 
 /// Number of random points at which a block is tried.
 const POINTS: usize = 20;

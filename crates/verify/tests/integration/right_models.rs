@@ -316,7 +316,9 @@ fn limits_far_from_typical_states_and_near_small_ones_leave_flights() {
     let fast = "limit norm(velocity) > 120 m/s \"supersonic\"; coefficient k = 1e-4 kg/m in 0 .. 1; force drag = -k*norm(velocity)*velocity;";
     let high = "limit z > 3 km \"thin air\"; force weight = -m*(9.81 [m/s^2])*N.3;";
     let layer = "limit z > 500 m \"low\"; limit -z > -510 m \"high\"; force weight = -m*(9.81 [m/s^2])*N.3;";
-    for forces in [fast, high, layer] {
+    let orbit = "param GM = 4e14 m^3/s^2; limit norm(position) > 6e6 m \"in the earth\";
+        force gravity = -GM*m/norm(position)^2*unit(position);";
+    for forces in [fast, high, layer, orbit] {
         let report = outcome(&format!("{SLED}{forces}"));
         assert!(row(&report, INVARIANTS).cases > 0, "{}", report.table());
     }
@@ -325,6 +327,12 @@ fn limits_far_from_typical_states_and_near_small_ones_leave_flights() {
         let gap = h + h; limit gap > 0 \"no gap\"; der(s) = v; der(v) = -(1 [N/m])*s/m;
         claim point bead { mass m; position s*N.2; velocity v*N.2; force -(1 [N/m])*s*N.2; }";
     assert!(row(&outcome(rail), MOMENTA).cases > 0);
+    // Nothing is refuted at states where the model does not hold.
+    let nowhere = format!(
+        "{SLED}limit norm(velocity) > 9 m/s \"slow\"; limit -norm(velocity) > -8 m/s \"fast\";"
+    );
+    let report = verified(&nowhere, &QUICK);
+    assert_eq!(report.outcome(), Outcome::NotVerified, "{}", report.table());
 }
 
 #[test]

@@ -47,6 +47,7 @@ fn unknown_files() {
         ("a letter", b"Dear sir,\nplease find enclosed\n".to_vec()),
         ("numbers alone", b"1,2,3\n4,5,6\n".to_vec()),
         ("a workbook", b"PK\x03\x04 and so on".to_vec()),
+        ("a MATLAB file", b"MATLAB 5.0 MAT-file, Platform".to_vec()),
         ("UTF-16", b"\xff\xfet\0,\0".to_vec()),
         (
             "a byte that is no UTF-8",
