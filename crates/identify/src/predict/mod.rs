@@ -4,6 +4,7 @@
 mod forcings;
 mod jacobian_columns;
 mod observed_point;
+mod squares;
 mod summary_pass;
 mod trajectory_pass;
 mod weighted_rows;
@@ -15,6 +16,7 @@ use ode::DifferentiableRhs;
 pub(crate) use self::forcings::{Target, linearise_with_terms, targets};
 pub(crate) use self::jacobian_columns::JacobianColumns;
 pub use self::observed_point::Residuals;
+pub use self::squares::squares;
 pub(crate) use self::trajectory_pass::TrajectoryPass;
 pub use self::trajectory_pass::{residuals, residuals_of, robust_scale, states};
 use self::weighted_rows::WeightedRows;
