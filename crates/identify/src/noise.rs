@@ -65,6 +65,15 @@ impl NoiseModel {
         &self.groups
     }
 
+    /// Least standard deviation, m, of the innovation of a residual after one interval, over groups and axes.
+    pub(crate) fn least_innovation(&self) -> f64 {
+        let axes = self
+            .groups
+            .iter()
+            .flat_map(|group| [0, 1, 2].map(|axis| group.innovation(axis, Some(group.interval)).1));
+        axes.fold(f64::INFINITY, f64::min)
+    }
+
     /// Copy with the same standard deviations and zero autocorrelation.
     pub fn uncorrelated(&self) -> Self {
         let white = self.groups.iter().map(|group| AxesNoise {

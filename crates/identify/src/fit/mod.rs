@@ -6,6 +6,7 @@
 
 mod contact_refinement;
 mod ends;
+mod error_trial;
 mod finished;
 mod held_out;
 mod horizon_continuation;

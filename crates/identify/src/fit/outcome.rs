@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use flight::parallel;
 use nalgebra::{DMatrix, DVector};
 
+use super::error_trial::contradicted_errors;
 use super::open_side::open_side;
 use super::output_error::OutputError;
 use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square_sums};
@@ -14,14 +15,14 @@ use super::{FitError, flight_error, marker_distances, solve_error, summary_noise
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
-use crate::least_squares::{ReducedSystem, SolveError, StoppingCriteria, eliminate, solve};
+use crate::least_squares::{ReducedSystem, StoppingCriteria, eliminate, solve};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::{Loss, Residuals};
 use crate::problem::FitProblem;
 use crate::report::{
     ATTITUDE, AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations,
-    MARKER, NoiseReport, NonIdentifiable, Profile, ResidualPool, Rms, SeenValue, SensorReport,
+    MARKER, NoiseReport, Profile, ResidualPool, Rms, SeenValue, SensorReport,
 };
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
 use dataset::AXES;
@@ -30,11 +31,6 @@ use dataset::statistics::median_of;
 /// Ratio of a flight's rms residual to the median over the flights, above which a note is added.
 const MISFIT_RATIO: f64 = 4.0;
 
-/// Number of standard errors at which the rise of the deviance is tried, and maximum number of coefficients.
-const TRIED_ERRORS: (f64, usize) = (2.0, 2);
-
-/// Rises of the deviance at [`TRIED_ERRORS`] standard errors with which a standard error holds within a factor of two.
-const RISES: std::ops::Range<f64> = 1.0..16.0;
 /// Creates the reports of the fit and of its flights, with uncertainties and residual statistics. The caller adds what
 /// concerns other flights, data faults, marker distances, reliability and times.
 pub fn reports(
@@ -78,7 +74,8 @@ pub fn reports(
         &ranges.collect(),
     );
     let mut doubts = state.doubts.clone();
-    doubts.extend(nonlinear(state, fitted, &covariance, &not_identifiable)?);
+    let at = (&system, &covariance);
+    doubts.extend(contradicted_errors(state, fitted, at, &not_identifiable)?);
     let doubt_of_summaries = summary_noise::doubt(state, &fitted.noise, &covariance.model)
         .map_err(|reason| flight_error(&state.flights[0], reason))?;
     let report = FitReport {
@@ -320,61 +317,6 @@ fn profiles(
         profiles.push(found.map_err(|error| solve_error(error, &state.flights))?);
     }
     Ok(profiles)
-}
-
-/// Standard errors of the least identifiable directions that the likelihood contradicts: at [`TRIED_ERRORS`] standard errors,
-/// with all else fitted again, the deviance does not rise by about the square of that number.
-fn nonlinear(
-    state: &State<'_>,
-    fitted: &Reweighted,
-    covariance: &Covariance,
-    directions: &[NonIdentifiable],
-) -> Result<Vec<String>, FitError> {
-    let (problem, options) = (state.problem, state.options);
-    // The fits of a diagnosis, whose faults are known, compare models; none of them is reported.
-    if directions.is_empty() || options.known_faults.is_some() {
-        return Ok(Vec::new());
-    }
-    let loss = Loss::Whitened(&fitted.noise);
-    let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
-    let mut names: Vec<&String> = directions
-        .iter()
-        .filter_map(|d| d.combination.first())
-        .collect();
-    names.truncate(TRIED_ERRORS.1);
-    let mut found = Vec::new();
-    for name in names {
-        let Some(index) = problem.globals.iter().position(|own| own.name == *name) else {
-            continue;
-        };
-        let best = fitted.solution.iterate.global[index];
-        let error = covariance.model[(index, index)].sqrt();
-        let bounds = objective.constraints[index].bounds;
-        for side in [-TRIED_ERRORS.0, TRIED_ERRORS.0] {
-            let value = best + side * error;
-            if !(bounds.0..=bounds.1).contains(&value) || options.is_past_deadline() {
-                continue;
-            }
-            objective.constraints[index].bounds = (value, value);
-            let mut start = fitted.solution.iterate.clone();
-            start.global[index] = value;
-            let rise = match solve(&objective, start, StoppingCriteria::CONVERGED) {
-                Ok(moved) => moved.squares - fitted.solution.squares,
-                Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
-                Err(_) => continue,
-            };
-            if !RISES.contains(&rise) {
-                let why = format!(
-                    "the standard error of {name} does not hold: at {side} standard errors the deviance changes by {rise:.1}, not by {}",
-                    TRIED_ERRORS.0 * TRIED_ERRORS.0
-                );
-                found.push(why);
-                break;
-            }
-        }
-        objective.constraints[index].bounds = bounds;
-    }
-    Ok(found)
 }
 
 /// Residual statistics and report of every fitted flight.

@@ -11,7 +11,7 @@ use crate::least_squares::{
 use crate::levels::CLEARLY_SMALLER;
 use crate::observations::Observations;
 use crate::options::FitOptions;
-use crate::predict::{Loss, linearise, residuals, robust_scale};
+use crate::predict::{Loss, linearise, residuals, robust_scale, squares};
 use crate::problem::FitProblem;
 
 /// Objective of a fit: the sum of squared residuals, or of a loss of them, over the first samples of `flights`.
@@ -73,6 +73,16 @@ impl LeastSquaresProblem for OutputError<'_> {
             self.options.flight_done();
         }
         block
+    }
+
+    fn squares(
+        &self,
+        flight: usize,
+        (global, local): (&DVector<f64>, &DVector<f64>),
+    ) -> Result<f64, FlightError> {
+        let unknowns = (self.fixed_global.unwrap_or(global), local);
+        let (observations, samples) = (self.flights[flight], self.samples[flight]);
+        squares(self.problem, observations, unknowns, samples, self.loss)
     }
 
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {

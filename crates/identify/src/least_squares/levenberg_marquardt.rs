@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use flight::parallel;
 use nalgebra::DVector;
 
-use super::linearization::{Evaluated, Step};
+use super::linearization::{Evaluated, Step, squares_at};
 use super::{
     Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError, StopReason,
     StoppingCriteria, Unknowns,
@@ -54,6 +54,10 @@ const NEGLIGIBLE_DAMPING: f64 = 1e-6;
 /// Minimum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ; lower values have no further effect.
 const MIN_DAMPING: f64 = 1e-12;
 
+/// Number of steps, after a rejected one, whose residuals are computed alone first: along a curved valley every second or
+/// third step is rejected, and derivatives, which take most of the time, would be lost.
+const WARY: usize = 3;
+
 /// Minimises the sum of squares of `problem` from `start` by the Levenberg–Marquardt method.
 ///
 /// # Errors
@@ -92,6 +96,8 @@ fn descend(
     let mut at = start;
     let mut damping = INITIAL_DAMPING;
     let (mut iterations, mut rejections) = (0, 0);
+    // Number of steps accepted one after the other since the last rejected one.
+    let mut accepted = WARY;
     let mut refinement = Backoff::default();
     let mut stop_reason = StopReason::MaxSteps;
     while iterations < criteria.max_steps {
@@ -124,9 +130,14 @@ fn descend(
             break;
         }
         let less_damping = (damping * 0.1).max(MIN_DAMPING);
-        let evaluated = Evaluated::candidate(problem, &candidate, less_damping)?;
+        let is_worse = accepted < WARY && squares_at(problem, &candidate)? >= at.squares;
+        let evaluated = match is_worse {
+            true => None,
+            false => Evaluated::candidate(problem, &candidate, less_damping)?,
+        };
         if let Some(evaluated) = evaluated.filter(|evaluated| evaluated.squares < at.squares) {
             at = evaluated;
+            accepted += 1;
             // Damped steps are no evidence of the rate of convergence.
             previous = (damping <= NEGLIGIBLE_DAMPING).then_some(predicted_reduction);
             // Less damping than at the last rejected step would lead to another rejection.
@@ -136,6 +147,7 @@ fn descend(
             rejections = 0;
             continue;
         }
+        accepted = 0;
         // Optimal local parameters depend nonlinearly on the global ones, and a linear step leaves this curve.
         if rejections == 0 && !at.iterate.global.is_empty() && refinement.is_due() {
             iterations += 1;
@@ -231,6 +243,14 @@ impl LeastSquaresProblem for OneFlight<'_> {
 
     fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         self.problem.plus(self.flight, local, step)
+    }
+
+    fn squares(
+        &self,
+        _: usize,
+        (_, local): (&DVector<f64>, &DVector<f64>),
+    ) -> Result<f64, FlightError> {
+        self.problem.squares(self.flight, (self.global, local))
     }
 
     fn constraints(&self) -> &[Constraint] {

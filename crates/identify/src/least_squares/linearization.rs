@@ -61,19 +61,11 @@ impl Evaluated {
         if !failures.is_empty() {
             return Err(SolveError::Start(failures));
         }
-        let constraints = problem.constraints().iter().zip(iterate.global.iter());
-        let priors: f64 = constraints
-            .map(|(constraint, &value)| constraint.squares(value))
-            .sum();
-        let squares = blocks.iter().map(|block| block.squares).sum::<f64>() + priors;
+        let each = blocks.iter().map(|block| block.squares);
         Ok(Self {
+            squares: with_priors(problem, &iterate, each),
             iterate,
             blocks,
-            squares: if squares.is_nan() {
-                f64::INFINITY
-            } else {
-                squares
-            },
             complements: (damping, Some(complements)),
         })
     }
@@ -123,5 +115,39 @@ impl Evaluated {
             candidate: Iterate { global, local },
             predicted_reduction: predicted + prior_reduction,
         })
+    }
+}
+
+/// Sum of squares of a candidate, without derivatives; infinite if a flight cannot be predicted there.
+pub(super) fn squares_at(
+    problem: &dyn LeastSquaresProblem,
+    iterate: &Iterate,
+) -> Result<f64, SolveError> {
+    let each = parallel::each_on(problem.threads(), problem.flights(), |flight| {
+        if problem.is_cancelled() {
+            return f64::INFINITY;
+        }
+        let unknowns = (&iterate.global, &iterate.local[flight]);
+        problem.squares(flight, unknowns).unwrap_or(f64::INFINITY)
+    });
+    if problem.is_cancelled() {
+        return Err(SolveError::Cancelled);
+    }
+    Ok(with_priors(problem, iterate, each.into_iter()))
+}
+
+/// Sum of the squares of all flights and of the priors of the global parameters; infinite if it is not a number.
+fn with_priors(
+    problem: &dyn LeastSquaresProblem,
+    iterate: &Iterate,
+    flights: impl Iterator<Item = f64>,
+) -> f64 {
+    let constraints = problem.constraints().iter().zip(iterate.global.iter());
+    let priors = constraints.map(|(constraint, &value)| constraint.squares(value));
+    let squares = flights.sum::<f64>() + priors.sum::<f64>();
+    if squares.is_nan() {
+        f64::INFINITY
+    } else {
+        squares
     }
 }

@@ -31,6 +31,18 @@ pub trait LeastSquaresProblem: Sync {
         by: Unknowns,
     ) -> Result<NormalBlock, FlightError>;
 
+    /// Sum of squares of a flight at `unknowns`, that of [`linearise`](Self::linearise).
+    ///
+    /// # Errors
+    /// [`FlightError`] if the flight cannot be predicted from these values.
+    fn squares(
+        &self,
+        flight: usize,
+        unknowns: (&DVector<f64>, &DVector<f64>),
+    ) -> Result<f64, FlightError> {
+        Ok(self.linearise(flight, unknowns, Unknowns::Local)?.squares)
+    }
+
     /// Returns the local parameters `local` (initial state) of a flight after the step `step`.
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64>;
 

@@ -4,6 +4,7 @@
 mod forcings;
 mod jacobian_columns;
 mod observed_point;
+mod squares;
 mod summary_pass;
 mod trajectory_pass;
 mod weighted_rows;
@@ -15,6 +16,7 @@ use ode::DifferentiableRhs;
 pub(crate) use self::forcings::{Target, linearise_with_terms, targets};
 pub(crate) use self::jacobian_columns::JacobianColumns;
 pub use self::observed_point::Residuals;
+pub use self::squares::squares;
 pub(crate) use self::trajectory_pass::TrajectoryPass;
 pub use self::trajectory_pass::{residuals, residuals_of, robust_scale, states};
 use self::weighted_rows::WeightedRows;
@@ -58,6 +60,19 @@ pub fn linearise(
     linearise_with(problem, observations, unknowns, samples, loss, by, None)
 }
 
+/// Tolerance, m, of the integration for residuals under `loss`. Residuals far above the initial noise, of a model that does
+/// not describe the flights, are divided by as large deviations, and need no more accuracy than these.
+fn tolerance_of(problem: &FitProblem, loss: Loss<'_>) -> f64 {
+    match loss {
+        Loss::Huber(scale) => robust_tolerance(scale, problem.sigma0),
+        Loss::Whitened(noise) => {
+            let least = noise.least_innovation();
+            let is_misfit = problem.is_misfit(least);
+            problem.tolerance * if is_misfit { least } else { problem.sigma0 }
+        }
+    }
+}
+
 /// [`linearise`] with given equations of motion and indices of model parameters in `by`: derivatives are by the local
 /// parameters, followed by these. The first call with a `cache` stores the trajectory in it, and later ones reuse it;
 /// only the loss and the outliers may change between calls.
@@ -74,10 +89,6 @@ pub fn linearise_with(
     cache: Option<&mut Option<Vec<f64>>>,
 ) -> Result<NormalBlock, FlightError> {
     let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), parameters);
-    let tolerance = match loss {
-        Loss::Huber(scale) => robust_tolerance(scale, problem.sigma0),
-        Loss::Whitened(_) => problem.tolerance * problem.sigma0,
-    };
     let mut rows = WeightedRows::new(columns.accumulator(), &problem.channels, loss);
     let pass = TrajectoryPass {
         problem,
@@ -85,7 +96,7 @@ pub fn linearise_with(
         global,
         local,
         samples,
-        tolerance: tolerance * observations.tolerance_factor,
+        tolerance: tolerance_of(problem, loss) * observations.tolerance_factor,
         with_outliers: matches!(loss, Loss::Huber(_)),
     };
     pass.each_point(motion, &columns, cache, |point| {

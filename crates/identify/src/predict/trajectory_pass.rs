@@ -170,6 +170,18 @@ pub fn states(
     (global, local): (&DVector<f64>, &DVector<f64>),
     samples: usize,
 ) -> Result<Vec<f64>, FlightError> {
+    let tolerance = RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor;
+    states_within(problem, observations, (global, local), samples, tolerance)
+}
+
+/// As [`states`], within a given integration tolerance, m.
+pub(super) fn states_within(
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+    tolerance: f64,
+) -> Result<Vec<f64>, FlightError> {
     let conditions = problem.body.bind(observations.parameters(problem, global));
     let start: ModelState = local.as_slice().into();
     if observations.is_summary {
@@ -177,7 +189,6 @@ pub fn states(
     }
     let times = &observations.times[..samples];
     let mut states = vec![0.0; start.len() * times.len()];
-    let tolerance = RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor;
     let options = integration_options(tolerance, times.len());
     let from = (times[0], &start);
     conditions.integrate_at(from, times, &options, &mut [], &mut states)?;

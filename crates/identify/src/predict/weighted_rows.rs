@@ -160,12 +160,14 @@ fn add_prior(
     sigma: f64,
 ) {
     let mut by_local = DVector::zeros(block.local.nrows());
-    for &(of, direction, value) in tangent {
-        if of == state {
-            by_local[direction] = value / sigma;
+    let own = tangent.iter().filter(|(of, ..)| *of == state);
+    for &(_, direction, value) in own.clone() {
+        // Without derivatives, the block has no local parameters.
+        if let Some(by_local) = by_local.get_mut(direction) {
+            *by_local = value / sigma;
         }
     }
-    if by_local.iter().any(|value| *value != 0.0) {
+    if own.clone().any(|(.., value)| *value != 0.0) {
         let none = DVector::zeros(block.global.nrows());
         block.add(difference / sigma, &by_local, &none);
     }
