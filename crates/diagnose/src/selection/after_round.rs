@@ -158,3 +158,51 @@ impl Search {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_support::fixture;
+
+    #[test]
+    fn an_answer_is_judged_again_by_noise_that_it_explains() {
+        let mut fixture = fixture();
+        let noise = fixture.fit.noise().clone();
+        let (model, base) = (&mut fixture.model, &fixture.iterate);
+        let mut search = Search::new(model, base, Weights::EstimatedFrom(&noise)).unwrap();
+        let right = search.accepted[0].effects.clone();
+        // By the noise that the right answer leaves, nothing is judged again.
+        assert!(!search.judge_with_less_noise(model, base, None).unwrap());
+        let own = search.noise.clone();
+        // Misfit that was taken for correlated noise: little of it, and against it everything is adequate.
+        search.noise.ar1 = [0.9; 3];
+        let wrong = model.candidates();
+        let wrong = { wrong }
+            .find(|(_, own)| own.name == "air-density")
+            .unwrap()
+            .0;
+        let wrong = model.fit_hypothesis(&[wrong], base, &search.noise).unwrap();
+        search.accepted = vec![wrong];
+        let again = search.judge_with_less_noise(model, base, Some(&own));
+        assert!(again.unwrap() && search.accepted.is_empty());
+        assert!(slow_level(&search.noise) <= slow_level(&own));
+        search.add_effect(model).unwrap();
+        assert!(search.accepted.iter().any(|found| found.effects == right));
+    }
+
+    #[test]
+    fn what_is_not_significant_itself_explains_nothing() {
+        let mut fixture = fixture();
+        let noise = fixture.fit.noise().clone();
+        let (model, base) = (&mut fixture.model, &fixture.iterate);
+        let mut search = Search::new(model, base, Weights::EstimatedFrom(&noise)).unwrap();
+        let count = search.accepted.len();
+        search.keep_significant(model);
+        assert_eq!(search.accepted.len(), count);
+        for own in &mut search.accepted {
+            own.squares = search.at_base.squares - 3.0;
+        }
+        search.keep_significant(model);
+        assert!(search.accepted.is_empty());
+    }
+}
