@@ -185,6 +185,7 @@ impl<'a> Analysis<'a> {
                     let why = why.unwrap_or("the model with it cannot be fitted");
                     self.notes.push(format!("{names} is no explanation: {why}"));
                     self.search.accepted.remove(0);
+                    self.search.keep_significant(&self.model);
                 }
             }
         };

@@ -19,14 +19,14 @@ impl Analysis<'_> {
         let single = single.map(|index| self.search.rejected[index].effects.clone());
         self.stepwise = StepwiseModel::start(&self.model, &self.search, None)?;
         for fewer in 1..MAX_EFFECTS {
-            self.search.add_effect(&self.model)?;
+            self.add_effect()?;
             self.extend_terms(fewer)?;
             if !self.search.accepted.is_empty() || self.has_adequate_terms() {
                 break;
             }
         }
         if self.search.accepted.is_empty() && !self.has_adequate_terms() {
-            self.search.add_effect(&self.model)?;
+            self.add_effect()?;
         }
         if self.search.accepted.is_empty() {
             if let Some(stepwise) = &mut self.stepwise {
@@ -45,6 +45,19 @@ impl Analysis<'_> {
                 self.is_nearest_only = nearest.is_some();
                 self.search.accepted.extend(nearest);
             }
+        }
+        Ok(())
+    }
+
+    /// Adds an effect to the rejected hypotheses. Noise that contained misfit weighted the terms, too; these start again.
+    fn add_effect(&mut self) -> Result<(), DiagnosisError> {
+        self.search.add_effect(&self.model)?;
+        let alpha = self.model.context.options.alpha_detect;
+        let unexplained = self.residuals.as_ref().filter(|own| own.fails(alpha));
+        let floor = unexplained.map(|own| &own.noise);
+        let (model, base) = (&mut self.model, &self.base);
+        if self.search.judge_with_less_noise(model, base, floor)? {
+            self.stepwise = StepwiseModel::start(&self.model, &self.search, None)?;
         }
         Ok(())
     }

@@ -6,5 +6,5 @@ mod null_distribution;
 mod score_tests;
 
 pub(crate) use local_elimination::{eliminate_locals, keep_directions};
-pub(crate) use null_distribution::ln_p_to_z;
+pub(crate) use null_distribution::{chi2_ln_sf, ln_p_to_z};
 pub(crate) use score_tests::{MIN_TOLERANCE, ScoreTest, ScoreTests};

@@ -27,7 +27,11 @@ const NEGLIGIBLE: f64 = 0.3;
 /// would be larger.
 const NOT_NOISE: f64 = 2.0;
 
-/// Seed of the noise that is added to the inputs.
+/// Number of draws of noise, all of which must have such an effect: the noise moves few flights in few ways, so that its effect
+/// varies. What was noise is taken for what the body got in one of twenty cases (Barnard 1963).
+const DRAWS: u64 = 19;
+
+/// Seed of the first draw of the noise that is added to the inputs.
 const SEED: u64 = 1;
 
 /// Sums of squares over flights, in units of the noise of the measurements.
@@ -49,19 +53,21 @@ impl InputNoise {
         let layout = fit.problem().body.layout();
         let inputs = layout.varying.iter().filter_map(|id| {
             let name = &layout.parameters[id.index()];
-            let (mut sums, mut sigmas) = (Sums::default(), Vec::new());
+            let (mut noisy, mut sigmas) = (Vec::new(), Vec::new());
             for flight in flights {
                 let series = flight.observed.inputs.series();
                 let own = series.into_iter().find(|(own, _)| own == id);
                 let sigma = own.map_or(0.0, |(_, series)| sigma(series));
                 if sigma > 0.0 {
                     sigmas.push(sigma);
-                    sums.add(fit, flight, noise, (name, sigma))?;
+                    noisy.push((*flight, sigma));
                 }
             }
-            let rms = |squares: f64| (squares / sums.count.max(1.0)).sqrt();
-            let (effect, residual) = (rms(sums.effect), rms(sums.residual));
-            let matters = effect > NEGLIGIBLE && effect < NOT_NOISE * residual;
+            let drawn = |draw: u64| Sums::of_draw(fit, &noisy, noise, (name, SEED + draw));
+            let effect = drawn(0)?.rms().0;
+            let may_be_noise = |(effect, residual): (f64, f64)| effect < NOT_NOISE * residual;
+            let matters = effect > NEGLIGIBLE
+                && (0..DRAWS).any(|draw| drawn(draw).is_some_and(|sums| may_be_noise(sums.rms())));
             matters.then(|| Self {
                 input: name.clone(),
                 sigma: median(&mut sigmas),
@@ -95,6 +101,27 @@ fn sigma(series: &InputSeries) -> f64 {
 }
 
 impl Sums {
+    /// Sums over the flights, each with the noise of its input, for one input and one seed; `None` if one cannot be
+    /// predicted.
+    fn of_draw(
+        fit: &Fit,
+        flights: &[(&FittedFlight<'_>, f64)],
+        noise: &NoiseModel,
+        (name, seed): (&str, u64),
+    ) -> Option<Self> {
+        let mut sums = Self::default();
+        for (flight, sigma) in flights {
+            sums.add(fit, flight, noise, (name, *sigma, seed))?;
+        }
+        Some(sums)
+    }
+
+    /// Effect of the noise, and residuals: root mean squares.
+    fn rms(&self) -> (f64, f64) {
+        let rms = |squares: f64| (squares / self.count.max(1.0)).sqrt();
+        (rms(self.effect), rms(self.residual))
+    }
+
     /// Adds the effect of noise `sigma` of the input `name` on a flight, as far as no other initial state makes up for
     /// it; `None` if the flight cannot be predicted.
     fn add(
@@ -102,13 +129,13 @@ impl Sums {
         fit: &Fit,
         flight: &FittedFlight<'_>,
         noise: &NoiseModel,
-        (name, sigma): (&str, f64),
+        (name, sigma, seed): (&str, f64, u64),
     ) -> Option<()> {
         let problem = fit.problem();
         let (observed, local) = fit.flight(flight.id)?;
         let unknowns = (fit.global(), local);
         let noisy = Observations {
-            inputs: noisy(fit, &observed.inputs, name, sigma)?,
+            inputs: noisy(fit, &observed.inputs, name, (sigma, seed))?,
             ..observed.clone()
         };
         let other = residuals(problem, &noisy, unknowns, observed.times.len()).ok()?;
@@ -150,10 +177,15 @@ impl Sums {
     }
 }
 
-/// The inputs with noise of standard deviation `sigma` added to one of them.
-fn noisy(fit: &Fit, inputs: &InputsOverTime, name: &str, sigma: f64) -> Option<InputsOverTime> {
+/// The inputs with noise of standard deviation `sigma` added to one of them, by the seed.
+fn noisy(
+    fit: &Fit,
+    inputs: &InputsOverTime,
+    name: &str,
+    (sigma, seed): (f64, u64),
+) -> Option<InputsOverTime> {
     let layout = fit.problem().body.layout();
-    let mut random = ChaCha12Rng::seed_from_u64(SEED);
+    let mut random = ChaCha12Rng::seed_from_u64(seed);
     let noise = Normal::new(0.0, sigma).ok()?;
     let all = inputs.series().map(|(id, series)| {
         let own = layout.parameters[id.index()].as_str();
