@@ -72,7 +72,9 @@ impl PredictiveGain {
     /// Whether predictions speak against the effects: much worse, by their standard error or of most flights too, or of
     /// fewer flights.
     pub(crate) fn contradicts(&self) -> bool {
-        let much = CONTRADICTING_ERROR * self.noise_m;
+        // Where both models err far above the noise, the initial states limit what they predict, not the effects.
+        let least = self.rms_before_m.min(self.rms_after_m);
+        let much = CONTRADICTING_ERROR * least.max(self.noise_m);
         let is_much = -self.error_reduction_m() > much;
         // Of a few flights, the worse they are predicted, the greater is the standard error.
         let is_worse_of_most = self.median_after_m - self.median_before_m > much;
@@ -110,8 +112,8 @@ impl PredictiveGain {
 /// Difference of RMS errors of equal predictions, as a fraction of the noise.
 const SAME_ERROR: f64 = 1e-3;
 
-/// Increase of the RMS error that contradicts an effect, as a fraction of the noise; effects on single sensors hardly
-/// change positions.
+/// Increase of the RMS error that contradicts an effect, as a fraction of the smaller error, or of the noise; effects on
+/// single sensors hardly change positions.
 const CONTRADICTING_ERROR: f64 = 0.5;
 
 /// Ratio of a flight's smaller error to the median, or to the noise, above which neither model predicts it, and number of
@@ -413,5 +415,14 @@ mod tests {
         };
         assert!(of_two(0.006).contradicts());
         assert!(!of_two(0.0036).contradicts());
+        // Both models err by several times the noise, one a third more: the initial states, not the effect.
+        let both_far = |rms_after_m: f64| PredictiveGain {
+            rms_before_m: 0.006,
+            median_before_m: 0.006,
+            median_after_m: rms_after_m,
+            ..gain(rms_after_m, 3e-4)
+        };
+        assert!(both_far(0.008).is_worse() && !both_far(0.008).contradicts());
+        assert!(both_far(0.0095).contradicts());
     }
 }
