@@ -4,7 +4,7 @@ use flight::parallel;
 use model_spec::sort_by_number;
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::FitError;
+use super::{FitError, marker_noise};
 use super::output_error::FixedGlobal;
 use super::state::State;
 use crate::channel::ChannelKind;
@@ -249,11 +249,23 @@ fn keep_best(guesses: &mut Vec<(f64, InitialGuess)>) {
     *guesses = kept;
 }
 
+/// Sets the noise, the noise groups and the scales of `problem` from the flights that are fitted and the summaries.
+pub fn set_noise<'o>(
+    problem: &mut FitProblem,
+    observed: &'o ObservedFlights,
+    summaries: impl Iterator<Item = &'o Observations> + Clone,
+) {
+    problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
+    let flights = observed.usable.iter().map(|(_, observations)| observations);
+    marker_noise::set_groups(problem, flights.clone());
+    set_scales(problem, flights.chain(summaries));
+}
+
 // Scales of channels other than markers, from the noise of their samples.
 
 /// Sets the scale of each sensor channel so that its noise × scale is `problem.sigma0`, the noise of a position
 /// coordinate, m, of markers or, without them, of pose sensors.
-pub fn set_scales<'o>(
+fn set_scales<'o>(
     problem: &mut FitProblem,
     flights: impl Iterator<Item = &'o Observations> + Clone,
 ) {

@@ -9,6 +9,7 @@ mod known_and_markers;
 mod marker_noise;
 mod near_copies;
 mod planar;
+mod predicted_changes;
 mod single_flights;
 mod stated_constants;
 mod summaries;
