@@ -7,7 +7,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use super::{FitError, marker_noise};
 use super::output_error::FixedGlobal;
 use super::state::State;
-use crate::channel::ChannelKind;
+use crate::channel::{Channel, ChannelKind};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
@@ -101,12 +101,15 @@ pub fn observe(
             Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
-    let mut sigma0 = median_of(estimates).map(|sigma0| sigma0.max(LEAST_NOISE.0));
+    let positions = problem.channels.iter().filter(|own| own.is_position());
+    let rounding = positions.map(Channel::overall_rounding);
+    let least = rounding.fold(LEAST_NOISE.0, f64::max);
+    let mut sigma0 = median_of(estimates).map(|sigma0| sigma0.max(least));
     let noise_floor = median_noise_floor(&floors);
     if let (Some(sigma0), Some(floor)) = (&mut sigma0, noise_floor) {
         let floor = overall(floor);
         if floor < MAX_FLOOR_RATIO * *sigma0 {
-            *sigma0 = floor.max(LEAST_NOISE.0);
+            *sigma0 = floor.max(least);
         }
     }
     ObservedFlights {
@@ -286,7 +289,8 @@ fn set_scales<'o>(
         let is_attitude = own.kind == ChannelKind::Attitude;
         let noise = own.sigma.or_else(|| {
             let each = flights.clone();
-            median_of(each.filter_map(|flight| noise(flight, channel, is_attitude)))
+            let found = median_of(each.filter_map(|flight| noise(flight, channel, is_attitude)));
+            found.map(|found| found.max(own.overall_rounding()))
         });
         if let Some(noise) = noise.filter(|noise| *noise > 0.0) {
             problem.channels[channel].scale = problem.sigma0 / noise;

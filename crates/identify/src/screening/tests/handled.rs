@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{ball, disc, found, kinds};
+use crate::ground_contact::tests::jitter;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::handling;
@@ -71,7 +72,7 @@ fn a_body_that_sinks_slowly_moves_and_one_that_lies_does_not() {
     let told = |speed: f64| {
         let mut flight = dataset.flights[0].clone();
         for (index, (time, row)) in flight.times.iter().zip(&mut flight.positions).enumerate() {
-            let noise = |k: usize| 0.0015 * ((997 * (3 * index + k)) as f64).sin();
+            let noise = |k: usize| 0.0015 * jitter(3 * index + k);
             let point = [noise(0), noise(1), 1.0 - speed * time + noise(2)];
             row.fill(Some(point));
         }
