@@ -16,11 +16,12 @@ const LENGTHS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 const TIMES: [&str; 4] = ["s", "ms", "us", "ns"];
 const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
 /// Units of the readings of gyroscopes, with their values in rad/s; the first is that of a dataset.
-pub const ANGULAR_RATES: [(&str, f64); 4] = [
+pub const ANGULAR_RATES: [(&str, f64); 5] = [
     ("rad/s", 1.0),
     ("deg/s", PI / 180.0),
     ("rpm", PI / 30.0),
     ("mdeg/s", PI / 180e3),
+    ("rev/s", 2.0 * PI),
 ];
 /// Units of the readings of accelerometers, with their values in m/s²; the first is that of a dataset.
 pub const ACCELERATIONS: [(&str, f64); 3] = [("m/s^2", 1.0), ("g", 9.80665), ("mg", 9.80665e-3)];

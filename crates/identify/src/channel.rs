@@ -2,6 +2,8 @@
 
 use model_spec::compose::Instrument;
 
+use crate::noise::NoiseModel;
+use crate::rounding;
 use crate::summary_value::{SummaryValue, exact_deviation};
 use dataset::{Dataset, SensorKind};
 
@@ -45,6 +47,11 @@ pub struct Channel {
     pub is_exact: bool,
     /// For a quantity of the release that no column states in some flight: its value there.
     pub assumed: Option<f64>,
+    /// Standard deviation of the rounding errors of the values along each axis, in `unit`; 0 if they are not rounded.
+    pub(crate) rounding: [f64; 3],
+    /// Whether the values of some axis stay the same from most samples to the next, so that rounding errors may be as slow
+    /// as the motion.
+    pub(crate) repeats: bool,
 }
 
 impl Channel {
@@ -60,6 +67,21 @@ impl Channel {
             }
             _ => None,
         }
+    }
+
+    /// Root mean square over the axes of the standard deviations of the rounding errors, in `unit`.
+    pub(crate) fn overall_rounding(&self) -> f64 {
+        (self.rounding.iter().map(|own| own * own).sum::<f64>() / 3.0).sqrt()
+    }
+
+    /// Whether what a fit with this noise leaves of the channel is the error of rounding, which is neither random nor a
+    /// lack of the model.
+    pub(crate) fn shows_rounding(&self, noise: &NoiseModel) -> bool {
+        let sigma = noise.groups()[self.group].sigma;
+        let mut axes = sigma.into_iter().zip(self.rounding);
+        let is_below =
+            |(sigma, rounding): (f64, f64)| sigma < rounding::RANDOM * rounding * self.scale;
+        self.repeats && axes.any(is_below)
     }
 
     /// Whether the channel measures the position of a point, m.
@@ -84,6 +106,8 @@ pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
             to_si: 1.0,
             is_exact: false,
             assumed: None,
+            rounding: [0.0; 3],
+            repeats: false,
         })
         .collect();
     let mut instruments: Vec<Instrument> = Vec::new();
@@ -106,6 +130,8 @@ pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
                 to_si,
                 is_exact: false,
                 assumed: None,
+                rounding: [0.0; 3],
+                repeats: false,
             });
             group += 1;
         };

@@ -26,6 +26,7 @@ pub mod outliers;
 mod predict;
 mod problem;
 mod report;
+mod rounding;
 mod screening;
 mod state_manifold;
 mod summary;

@@ -176,10 +176,16 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
 }
 
 /// Flags the outliers of a flight by its residuals, indexed as [`Observations::outlier`]. `group_of` is the noise group
-/// of each channel.
-pub fn outlier_mask(times: &[f64], residuals: &Residuals, group_of: &[usize]) -> Vec<bool> {
+/// of each channel, `rounding` that of each group ([`FitProblem::rounding`]).
+pub fn outlier_mask(
+    times: &[f64],
+    residuals: &Residuals,
+    group_of: &[usize],
+    rounding: &[[f64; 3]],
+) -> Vec<bool> {
     let local_residuals = local_residuals(times, residuals);
-    let scales = group_scales(&local_residuals, group_of);
+    let own = group_scales(&local_residuals, group_of);
+    let scales = judged_scales(&[own], rounding).concat();
     let mut mask = vec![false; residuals.iter().map(Vec::len).sum()];
     for (place, _) in candidates(&local_residuals, &scales, group_of) {
         mask[place] = true;
@@ -208,7 +214,7 @@ pub fn estimate_noise(
         (scales, candidates)
     });
     let (own, candidates): (Vec<_>, Vec<_>) = found.into_iter().unzip();
-    let scales = judged_scales(&own);
+    let scales = judged_scales(&own, &problem.rounding_of_groups());
     let marked = parallel::each_on(threads, flights.len(), |flight| {
         let observations = &flights[flight];
         let mut outlier = vec![false; observations.measured.len()];
@@ -264,13 +270,15 @@ fn robust_scale<'r>(
 }
 
 /// Standard deviations with which outliers are detected, m, by flight, group and axis: that of the flight in `own`, or
-/// the median over the flights if it is greater.
-fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
-    let groups = own.first().map_or(0, Vec::len);
-    let usual = |group: usize| {
-        [0, 1, 2].map(|axis| median_of(own.iter().map(|scales| scales[group][axis])).unwrap_or(0.0))
+/// the median over the flights or that of rounding, by group, if it is greater.
+fn judged_scales(own: &[Vec<[f64; 3]>], rounding: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
+    let usual = |(group, least): (usize, &[f64; 3])| {
+        [0, 1, 2].map(|axis| {
+            let usual = median_of(own.iter().map(|scales| scales[group][axis]));
+            usual.unwrap_or(0.0).max(least[axis])
+        })
     };
-    let usual: Vec<[f64; 3]> = (0..groups).map(usual).collect();
+    let usual: Vec<[f64; 3]> = rounding.iter().enumerate().map(usual).collect();
     let of_flight = |scales: &Vec<[f64; 3]>| {
         let pairs = scales.iter().zip(&usual);
         let greater = pairs.map(|(own, usual)| [0, 1, 2].map(|axis| usual[axis].max(own[axis])));
@@ -318,7 +326,7 @@ mod tests {
         series[0].as_mut().unwrap()[2] += 0.05;
         series[79].as_mut().unwrap()[0] -= 0.05;
         let times: Vec<f64> = (0..80).map(f64::from).collect();
-        let outlier_mask = outlier_mask(&times, &[series], &[0]);
+        let outlier_mask = outlier_mask(&times, &[series], &[0], &[[0.0; 3]]);
         let found: Vec<usize> = (0..80).filter(|&i| outlier_mask[i]).collect();
         assert_eq!(found, [0, 20, 22, 79]);
     }

@@ -17,6 +17,7 @@ use crate::error::{FitError, FlightError, NameSource};
 use crate::fixed_axis::{add_point, fixed_axis};
 use crate::levels::FAR_ABOVE;
 use crate::options::FitOptions;
+use crate::rounding;
 use crate::summary::{self, SummaryModel};
 use dataset::pose;
 use dataset::{AXES, Dataset, Flight, KnownValue, SensorKind, points_on_body};
@@ -154,6 +155,7 @@ impl FitProblem {
             return Err(FitError::NoObservation { model });
         }
         let (mut channels, kinds) = channel::of_dataset(dataset);
+        rounding::set(&mut channels, dataset);
         let instruments = instruments(model, &kinds)?;
         let is_summary = channels
             .iter()

@@ -123,7 +123,9 @@ fn by_sample(
         &mut motion,
         &[],
         &mut |point| {
-            if observations.is_outlier(point.sample, point.channel) {
+            let channel = &problem.channels[point.channel];
+            if observations.is_outlier(point.sample, point.channel) || channel.shows_rounding(noise)
+            {
                 return;
             }
             let (time, noise) = (observations.times[point.sample], noise.of(point.channel));
@@ -132,7 +134,7 @@ fn by_sample(
                 .each_ref()
                 .map(|row| DVector::from_column_slice(row));
             let before = previous[point.channel].as_ref();
-            for axis in 0..problem.channels[point.channel].components {
+            for axis in 0..channel.components {
                 let (mut residual, mut row) = (point.residual[axis], rows[axis].clone());
                 let gap = before.map(|(earlier, ..)| time - earlier);
                 let (kept, sigma) = noise.innovation(axis, gap);

@@ -231,6 +231,7 @@ fn mark_outliers(
     let samples = observations.times.len();
     let residuals = residuals(problem, observations, (global, local), samples)?;
     let (times, groups) = (&observations.times, problem.noise_groups());
-    observations.outlier = outliers::outlier_mask(times, &residuals, &groups);
+    let rounding = problem.rounding_of_groups();
+    observations.outlier = outliers::outlier_mask(times, &residuals, &groups, &rounding);
     Ok(())
 }

@@ -4,10 +4,10 @@ use flight::parallel;
 use model_spec::sort_by_number;
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::FitError;
+use super::{FitError, marker_noise};
 use super::output_error::FixedGlobal;
 use super::state::State;
-use crate::channel::ChannelKind;
+use crate::channel::{Channel, ChannelKind};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
@@ -101,12 +101,15 @@ pub fn observe(
             Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
-    let mut sigma0 = median_of(estimates).map(|sigma0| sigma0.max(LEAST_NOISE.0));
+    let positions = problem.channels.iter().filter(|own| own.is_position());
+    let rounding = positions.map(Channel::overall_rounding);
+    let least = rounding.fold(LEAST_NOISE.0, f64::max);
+    let mut sigma0 = median_of(estimates).map(|sigma0| sigma0.max(least));
     let noise_floor = median_noise_floor(&floors);
     if let (Some(sigma0), Some(floor)) = (&mut sigma0, noise_floor) {
         let floor = overall(floor);
         if floor < MAX_FLOOR_RATIO * *sigma0 {
-            *sigma0 = floor.max(LEAST_NOISE.0);
+            *sigma0 = floor.max(least);
         }
     }
     ObservedFlights {
@@ -249,11 +252,23 @@ fn keep_best(guesses: &mut Vec<(f64, InitialGuess)>) {
     *guesses = kept;
 }
 
+/// Sets the noise, the noise groups and the scales of `problem` from the flights that are fitted and the summaries.
+pub fn set_noise<'o>(
+    problem: &mut FitProblem,
+    observed: &'o ObservedFlights,
+    summaries: impl Iterator<Item = &'o Observations> + Clone,
+) {
+    problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
+    let flights = observed.usable.iter().map(|(_, observations)| observations);
+    marker_noise::set_groups(problem, flights.clone());
+    set_scales(problem, flights.chain(summaries));
+}
+
 // Scales of channels other than markers, from the noise of their samples.
 
 /// Sets the scale of each sensor channel so that its noise × scale is `problem.sigma0`, the noise of a position
 /// coordinate, m, of markers or, without them, of pose sensors.
-pub fn set_scales<'o>(
+fn set_scales<'o>(
     problem: &mut FitProblem,
     flights: impl Iterator<Item = &'o Observations> + Clone,
 ) {
@@ -274,7 +289,8 @@ pub fn set_scales<'o>(
         let is_attitude = own.kind == ChannelKind::Attitude;
         let noise = own.sigma.or_else(|| {
             let each = flights.clone();
-            median_of(each.filter_map(|flight| noise(flight, channel, is_attitude)))
+            let found = median_of(each.filter_map(|flight| noise(flight, channel, is_attitude)));
+            found.map(|found| found.max(own.overall_rounding()))
         });
         if let Some(noise) = noise.filter(|noise| *noise > 0.0) {
             problem.channels[channel].scale = problem.sigma0 / noise;

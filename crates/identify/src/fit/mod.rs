@@ -17,6 +17,7 @@ mod open_side;
 mod outcome;
 mod output_error;
 mod post_fit;
+mod predicted_changes;
 mod reading_axes;
 mod residual_cache;
 mod restarts;
@@ -163,7 +164,7 @@ fn fit_within(
         single_flights::may_come_back(excluded)
             && dataset.flights[excluded.flight.index()].role == Role::Fit
     });
-    let screened = Screened {
+    let mut screened = Screened {
         dataset,
         earlier,
         data_faults,
@@ -185,11 +186,12 @@ fn fit_within(
         }
     }
     let summaries = Summaries::take(&problem, dataset, &mut fitted);
-    let observed = initial_guess::observe(&problem, dataset, &fitted, &screened.contacts, options);
-    problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
-    let flights = observed.usable.iter().map(|(_, observations)| observations);
-    marker_noise::set_groups(&mut problem, flights.clone());
-    initial_guess::set_scales(&mut problem, flights.chain(summaries.observations()));
+    let contacts = &mut screened.contacts;
+    let observed = initial_guess::observe(&problem, dataset, &fitted, contacts, options);
+    let flights = (dataset, &fitted[..]);
+    let observed =
+        predicted_changes::without_predicted(&problem, flights, contacts, observed, options)?;
+    initial_guess::set_noise(&mut problem, &observed, summaries.observations());
     let noise_floor = observed.noise_floor;
     let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
     let (mut state, (mut cache, mut predicted_reduction)) = match fitted.is_empty() {
@@ -311,9 +313,19 @@ impl Screened<'_> {
 /// squares by the last step, if its residuals were weighted by their noise.
 fn from_guesses<'a>(
     dataset: &Dataset,
-    mut guesses: InitialGuesses<'a>,
+    guesses: InitialGuesses<'a>,
     doubtful: Vec<ExcludedFlight>,
 ) -> Result<(State<'a>, (ResidualCache, Option<f64>)), FitError> {
+    let (mut state, cache) = converged(guesses, doubtful)?;
+    let last = contact_refinement::refine_contacts(dataset, &mut state, cache)?;
+    Ok((state, last))
+}
+
+/// The stages of [`from_guesses`] that leave the ends of the flights as they are, with the residuals.
+fn converged(
+    mut guesses: InitialGuesses<'_>,
+    doubtful: Vec<ExcludedFlight>,
+) -> Result<(State<'_>, ResidualCache), FitError> {
     guesses.state.excluded.extend(doubtful);
     let (mut state, cache) = if guesses.state.problem.sees_positions() {
         starts::resolve_spin_aliases(guesses)?
@@ -326,8 +338,7 @@ fn from_guesses<'a>(
     let cache = single_flights::exclude_unlike_flights(&mut state, cache)?;
     // The residuals are smaller now, and ask for more accuracy.
     let cache = residual_cache::bound_global_errors(&mut state, cache);
-    let last = contact_refinement::refine_contacts(dataset, &mut state, cache)?;
-    Ok((state, last))
+    Ok((state, cache))
 }
 
 fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {

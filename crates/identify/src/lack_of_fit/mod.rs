@@ -15,7 +15,7 @@ use model_spec::sort_by_number;
 use self::noise_floor::{FlightSeries, NoiseFloor};
 use self::series::{Series, SplineBasis};
 use self::smooth_misfit::{FlightMisfit, ScaledStatistic, greatest_misfit, least_p};
-use crate::channel::Channel;
+use crate::channel::{Channel, ChannelKind};
 use crate::error::FitError;
 use crate::fit::{Fit, flight_error};
 use crate::ids::FlightId;
@@ -214,6 +214,26 @@ impl FittedFlight<'_> {
         SplineBasis::new((0.0, duration), (duration / INTERVALS.0).max(least))
     }
 
+    /// Predicted positions `[sample][point]`, m, of the points of the pose, which turn with the body where a sensor
+    /// measures poses; `None` without such a sensor.
+    fn points_of_pose(&self, fit: &Fit) -> Option<Vec<Vec<[f64; 3]>>> {
+        let problem = fit.problem();
+        let mut channels = problem.channels.iter();
+        channels.find(|own| own.kind == ChannelKind::Attitude)?;
+        let bound = problem
+            .body
+            .bind(self.observed.parameters(problem, fit.global()));
+        let mut observer = bound.observer();
+        let samples = self.evidence.times.iter().zip(&self.evidence.states);
+        let rows = samples.map(|(time, state)| {
+            let points = problem.markers.iter();
+            points
+                .map(|point| observer.position(*time, state, point))
+                .collect()
+        });
+        Some(rows.collect())
+    }
+
     /// Residuals of the inliers, with the basis that follows fast misfits; `None` if there are none to test.
     fn residuals(&self, fit: &Fit) -> Option<FlightSeries> {
         let duration = self.duration();
@@ -222,15 +242,22 @@ impl FittedFlight<'_> {
             .interval()
             .filter(|interval| *interval > 0.0)?;
         let evidence = &self.evidence;
-        let frequency = frequency(&evidence.predicted, interval);
+        let frequency = match self.points_of_pose(fit) {
+            Some(points) => frequency(&points, interval),
+            None => frequency(&evidence.predicted, interval),
+        };
         let wanted = (1.0 / (KNOTS_PER_PERIOD * frequency)).min(duration / INTERVALS.1);
         let knot_interval = wanted.max(MIN_SAMPLES_PER_KNOT * interval);
         let channels = &fit.problem().channels;
         let mut series = empty_series(channels.len(), 1);
+        let is_rounding: Vec<bool> = channels
+            .iter()
+            .map(|own| own.shows_rounding(fit.noise()))
+            .collect();
         for (sample, &time) in evidence.times.iter().enumerate() {
             let mut positions = 0..;
             let mut sensors = evidence.sensors.iter();
-            for (channel, axes) in channels.iter().zip(&mut series) {
+            for (index, (channel, axes)) in channels.iter().zip(&mut series).enumerate() {
                 let residual = match channel.is_position() {
                     true => positions
                         .next()
@@ -239,7 +266,9 @@ impl FittedFlight<'_> {
                         .next()
                         .and_then(|own| own.residuals[sample].filter(|_| !own.outlier[sample])),
                 };
-                let Some(residual) = residual else { continue };
+                let Some(residual) = residual.filter(|_| !is_rounding[index]) else {
+                    continue;
+                };
                 for (series, residual) in axes.iter_mut().zip(residual).take(channel.components) {
                     series.times.push(time);
                     series.sides.push(-residual * channel.scale);
@@ -275,7 +304,8 @@ impl FittedFlight<'_> {
             &mut motion,
             &[],
             &mut |point| {
-                if observed.inlier(point.sample, point.channel).is_none() {
+                let is_left_out = problem.channels[point.channel].shows_rounding(fit.noise());
+                if is_left_out || observed.inlier(point.sample, point.channel).is_none() {
                     return;
                 }
                 let components = problem.channels[point.channel].components;

@@ -7,6 +7,7 @@ use flight::parallel;
 use super::series::{Series, SplineBasis};
 use crate::channel::Channel;
 use crate::noise::{AxesNoise, NoiseModel, group_count};
+use crate::rounding;
 
 /// Range (minimum, maximum) in which the lag-1 autocorrelation of the measurement noise is searched.
 const AR1_RANGE: (f64, f64) = (-0.8, 0.95);
@@ -70,6 +71,20 @@ impl NoiseFloor {
         for group in 0..group_count(&group_of) {
             let is_single = |channel: &Channel| channel.group == group && channel.components == 1;
             let components = if channels.iter().any(is_single) { 1 } else { 3 };
+            let rounding = rounding::of_group(channels, group);
+            let mut own = group_of.iter().enumerate();
+            let is_left_out = own.all(|(channel, own)| {
+                let mut flights = used.iter().map(|flight| &flight.series[channel][0]);
+                *own != group || flights.all(|series| series.times.is_empty())
+            });
+            if is_left_out && rounding.iter().any(|own| *own > 0.0) {
+                groups.push(AxesNoise {
+                    sigma: rounding,
+                    ..AxesNoise::white(0.0, interval)
+                });
+                ar1_std_error.push([0.0; 3]);
+                continue;
+            }
             let axes = parallel::each_on(threads, components, |axis| {
                 of_axis(&used, (group, &group_of), axis, interval)
             });
@@ -78,7 +93,7 @@ impl NoiseFloor {
                 // A channel with one component has the same value for all three axes.
                 let (ar1, std_error, sigma) = axes[axis % components]?;
                 noise.ar1[axis] = ar1;
-                noise.sigma[axis] = sigma;
+                noise.sigma[axis] = sigma.max(rounding[axis]);
                 errors[axis] = std_error;
             }
             groups.push(noise);
@@ -226,6 +241,8 @@ mod tests {
             to_si: 1.0,
             is_exact: false,
             assumed: None,
+            rounding: [0.0; 3],
+            repeats: false,
         }
     }
 

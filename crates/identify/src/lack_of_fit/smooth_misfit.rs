@@ -54,7 +54,7 @@ impl FlightMisfit {
         let statistic = |found: &Projection| {
             let (left, rank) = decrease(&found.left, &found.left_gradient, &scale);
             let degrees_of_freedom = (found.rank + rank).saturating_sub(locals) as f64;
-            (found.squares + left - of_locals, degrees_of_freedom, rank)
+            (found.squares + left, degrees_of_freedom, rank)
         };
         let (fine, fine_dof, rank) = statistic(&of_fine);
         let (slow, slow_dof, _) = statistic(&of_slow);
@@ -62,8 +62,12 @@ impl FlightMisfit {
         if degrees_of_freedom < 1.0 {
             return None;
         }
-        let remaining = (of_fine.total - of_locals - fine).max(0.0);
+        let remaining = (of_fine.total - fine).max(0.0);
         let variance = (remaining / degrees_of_freedom).max(least_ratio * least_ratio);
+        // At the minimum, the flight's own unknowns reduce nothing; what they seem to reduce beyond noise is the linear
+        // prediction of a fit that ended elsewhere, as on a chaotic motion, and remains.
+        let by_locals = of_locals.min(locals as f64 * variance);
+        let (fine, slow) = (fine - by_locals, slow - by_locals);
         let scaled = |value: f64, of: f64| ScaledStatistic {
             value: value.max(0.0) / variance,
             degrees_of_freedom: of,

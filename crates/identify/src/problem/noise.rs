@@ -2,6 +2,7 @@
 
 use super::FitProblem;
 use crate::noise::{AxesNoise, Moments, NoiseModel, group_count};
+use crate::rounding;
 
 impl FitProblem {
     /// Noise group of each channel; the channels of a group have common noise parameters.
@@ -18,9 +19,25 @@ impl FitProblem {
             let given = of_group.and_then(|channel| Some(channel.sigma? * channel.scale));
             // The unknowns are distributed over the groups in proportion to their residuals.
             let unknowns = (unknowns * sum.count).div_ceil(all.max(1));
-            sum.noise(unknowns, interval, given)
+            let mut noise = sum.noise(unknowns, interval, given);
+            if given.is_none() {
+                let least = self.rounding(group);
+                noise.sigma = [0, 1, 2].map(|axis| noise.sigma[axis].max(least[axis]));
+            }
+            noise
         });
         NoiseModel::of_groups(groups.collect(), self.noise_groups())
+    }
+
+    /// Standard deviation of the rounding errors of a noise group along each axis, m: the greatest of its channels.
+    pub(crate) fn rounding(&self, group: usize) -> [f64; 3] {
+        rounding::of_group(&self.channels, group)
+    }
+
+    /// [`rounding`](Self::rounding) of every noise group.
+    pub(crate) fn rounding_of_groups(&self) -> Vec<[f64; 3]> {
+        let groups = 0..group_count(&self.noise_groups());
+        groups.map(|group| self.rounding(group)).collect()
     }
 
     /// Creates empty sums of squares and products of residuals, one `Moments` for each noise group.

@@ -18,6 +18,10 @@ const SIGNIFICANT: f64 = 6.0;
 /// of gravity, as a support carries its weight.
 const AT_REST: (f64, f64, f64) = (0.5, 0.08, 0.7);
 
+/// Maximum extent of the track of a body that does not move, in units of its noise: that of noise alone is 6 to 8, and
+/// differences of samples show a third of correlated noise.
+const STILL: f64 = 25.0;
+
 /// Force per mass of a catch: in units of gravity, and of the force earlier in the flight, scaled by the square of the
 /// speed.
 const CATCH: (f64, f64) = (3.0, 5.0);
@@ -108,6 +112,7 @@ impl<'a> Examined<'a> {
         let fall = 0.5 * g * (2.0 * motion.half).powi(2);
         // The flight must be so long that an error of the acceleration cannot hide a fall.
         self.is_rest(&motion, f64::INFINITY)
+            && self.track.extent() <= STILL * self.track.noise
             && fall > 20.0 * motion.deviation
             && self.speed < AT_REST.0
     }

@@ -11,7 +11,7 @@ use crate::problem::FitProblem;
 use dataset::{Dataset, Flight, Sensor, SensorKind};
 
 /// Minimum number of samples at the limit, beyond the second number of times the longest run of another value: coarsely
-/// rounded readings repeat all their values.
+/// rounded readings repeat all their values, and as many samples of one of them show that they do.
 const SATURATED: (usize, usize) = (5, 3);
 
 /// Faults of the readings of all sensors; `tracks` are those of the flights that show attitudes and positions.
@@ -45,49 +45,68 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
     faults
 }
 
-/// Faults of the flights in which a component of the sensor stays at its greatest magnitude.
+/// Longest run of the same reading along one axis in a flight, in samples: at a limit, and of any other reading.
+#[derive(Clone, Copy, Debug, Default)]
+struct Runs {
+    at_limit: usize,
+    elsewhere: usize,
+}
+
+fn runs(flight: &Flight, channel: usize, axis: usize, limit: f64) -> Runs {
+    let (mut runs, mut run, mut last) = (Runs::default(), 0, f64::NAN);
+    for (_, reading) in series(flight, channel) {
+        run = if reading[axis] == last { run + 1 } else { 1 };
+        last = reading[axis];
+        match last.abs() == limit {
+            true => runs.at_limit = runs.at_limit.max(run),
+            false => runs.elsewhere = runs.elsewhere.max(run),
+        }
+    }
+    runs
+}
+
+/// Faults of the flights in which a component of the sensor stays at its greatest magnitude in all flights, and nowhere
+/// else as long: readings on a coarse grid repeat whatever they are.
 fn saturated(dataset: &Dataset, (sensor, channel): (&Sensor, usize)) -> Vec<DataFault> {
-    let greatest = |flight: &Flight, axis: usize| {
-        let values = series(flight, channel).map(|(_, reading)| reading[axis].abs());
-        values.fold(0.0, f64::max)
-    };
-    let mut faults = Vec::new();
-    for flight in &dataset.flights {
-        for (axis, name) in dataset::AXES.iter().enumerate() {
-            let limit = greatest(flight, axis);
-            let (mut at_limit, mut elsewhere, mut run, mut last) = (0, 0, 0, f64::NAN);
-            for (_, reading) in series(flight, channel) {
-                run = if reading[axis] == last { run + 1 } else { 1 };
-                last = reading[axis];
-                if last.abs() == limit {
-                    at_limit = at_limit.max(run);
-                } else {
-                    elsewhere = elsewhere.max(run);
-                }
-            }
-            let shared = || {
-                let mut others = dataset.flights.iter().filter(|o| o.file != flight.file);
-                others.any(|other| greatest(other, axis) == limit)
-            };
-            let is_saturated = limit > 0.0
-                && at_limit >= SATURATED.0 + SATURATED.1 * elsewhere
-                && (elsewhere > 0 || shared());
-            if is_saturated {
-                faults.push(DataFault::new(
-                    flight,
-                    FaultKind::Other,
-                    format!(
-                        "{}_{name} is saturated: it stays at {limit} {} in {at_limit} samples",
-                        sensor.name,
-                        sensor.kind.unit()
-                    ),
-                    "leave the cells of saturated readings empty, or record with a wider range",
-                ));
-                break;
+    let mut faults: Vec<DataFault> = Vec::new();
+    for (axis, name) in dataset::AXES.iter().enumerate() {
+        let of_flight = |flight| series(flight, channel).map(|(_, reading)| reading[axis].abs());
+        let limit = dataset.flights.iter().flat_map(of_flight);
+        let limit = limit.fold(0.0, f64::max);
+        let flights = dataset.flights.iter();
+        let runs = flights.map(|flight| (flight, runs(flight, channel, axis, limit)));
+        let runs: Vec<(&Flight, Runs)> = runs.collect();
+        let elsewhere = runs.iter().map(|(_, own)| own.elsewhere).max();
+        let elsewhere = elsewhere.unwrap_or(0);
+        let least = SATURATED.0 + SATURATED.1 * elsewhere;
+        let stays = runs.iter().filter(|(_, own)| own.at_limit >= least);
+        // Of readings that repeat elsewhere, too, or are nowhere else, a single long run may be what the body does.
+        let is_clear = (1..SATURATED.0).contains(&elsewhere) || stays.clone().count() > 1;
+        let is_limit = limit > 0.0 && is_clear;
+        for (flight, own) in stays.filter(|_| is_limit) {
+            if !faults.iter().any(|fault| fault.file == flight.file) {
+                faults.push(saturation((sensor, name), (limit, own.at_limit), flight));
             }
         }
     }
     faults
+}
+
+fn saturation(
+    (sensor, axis): (&Sensor, &str),
+    (limit, samples): (f64, usize),
+    flight: &Flight,
+) -> DataFault {
+    DataFault::new(
+        flight,
+        FaultKind::Other,
+        format!(
+            "{}_{axis} is saturated: it stays at {limit} {} in {samples} samples",
+            sensor.name,
+            sensor.kind.unit()
+        ),
+        "leave the cells of saturated readings empty, or record with a wider range",
+    )
 }
 
 /// Fault of a flight in which a sensor repeats its readings, or shows zeros in between.

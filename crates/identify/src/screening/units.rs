@@ -182,8 +182,10 @@ impl OtherUnit {
         };
         let (detail, correction) = match self.unit.is_converted_twice {
             true => (
-                format!("{sensor} seems to be in {si}, and not in {unit} as stated: {why}"),
-                format!("remove `{key} = \"{unit}\"` from [recording]"),
+                format!("{sensor} seems to be in {si}, and converted from {unit} nevertheless: {why}"),
+                format!(
+                    "remove `{key} = \"{unit}\"` from [recording] if it stands there, or write {si}"
+                ),
             ),
             false => (
                 format!("{sensor} seems to be in {unit}: {why}"),

@@ -68,6 +68,8 @@ impl SummaryModel {
                 to_si: 1.0,
                 is_exact: true,
                 assumed: Some(assumed),
+                rounding: [0.0; 3],
+                repeats: false,
             })
             .collect()
     }

@@ -13,7 +13,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
 /// The dataset with an instrument at the mass centre that reads `reading` of a sample of a flight.
-fn with_readings(
+pub fn with_readings(
     dataset: &Dataset,
     instrument: Instrument,
     sigma: Option<f64>,
@@ -35,7 +35,7 @@ fn with_readings(
 }
 
 /// What an instrument at the mass centre reads, by flight and sample: what a fit predicts of readings without weight.
-fn readings(model: &Model, dataset: &Dataset, instrument: Instrument) -> Vec<Vec<[f64; 3]>> {
+pub fn readings(model: &Model, dataset: &Dataset, instrument: Instrument) -> Vec<Vec<[f64; 3]>> {
     let silent = with_readings(dataset, instrument, Some(1e6), |_, _| [0.0; 3]);
     let found = fit(model, &silent, &FitOptions::default()).expect("a fit");
     let each = (0..dataset.flights.len()).map(|index| {

@@ -1,6 +1,13 @@
 //! Detection of samples in the hand and after the catch.
 
+use nalgebra::Vector3;
+
 use super::{ball, disc, found, kinds};
+use crate::ground_contact::tests::jitter;
+use crate::options::FitOptions;
+use crate::problem::FitProblem;
+use crate::screening::handling;
+use crate::screening::track::Track;
 use dataset::Flight;
 
 /// Copy of a flight with additional samples before its start, as if a hand threw the body: `held` samples at rest, then
@@ -56,6 +63,24 @@ fn with_catch(flight: &Flight, braked: usize, held: usize) -> Flight {
     let mut caught = with_hand(&backwards, held, braked);
     caught.positions.reverse();
     caught
+}
+
+#[test]
+fn a_body_that_sinks_slowly_moves_and_one_that_lies_does_not() {
+    let (model, dataset) = ball(1);
+    let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).expect("a problem");
+    let told = |speed: f64| {
+        let mut flight = dataset.flights[0].clone();
+        for (index, (time, row)) in flight.times.iter().zip(&mut flight.positions).enumerate() {
+            let noise = |k: usize| 0.0015 * jitter(3 * index + k);
+            let point = [noise(0), noise(1), 1.0 - speed * time + noise(2)];
+            row.fill(Some(point));
+        }
+        let (track, _) = Track::of(&problem, &flight);
+        handling::check(&track, -9.81 * Vector3::z(), &flight).map(|fault| fault.detail)
+    };
+    assert_eq!(told(0.3), None);
+    assert_eq!(told(0.0), Some("the body does not move".to_owned()));
 }
 
 #[test]

@@ -112,9 +112,25 @@ fn right_recordings_have_no_fault() {
 }
 
 #[test]
+fn readings_on_a_coarse_grid_are_not_saturated_and_those_at_a_limit_are() {
+    let coarse = |part: f64| (part / 4.0).round() * 4.0;
+    for has_pose in [true, false] {
+        let told = |change: fn(f64) -> f64| {
+            let (model, _) = calm_disc(1);
+            let changed = |own: Sample| own.with_rate(|all| all.map(change));
+            let faults = found(&model, &recorded(has_pose, changed));
+            let saturated = faults.into_iter().filter(|own| own.detail.contains("saturated"));
+            saturated.count()
+        };
+        assert_eq!(told(coarse), 0);
+        assert_eq!(told(|part| part.clamp(-48.0, 48.0)), 3);
+    }
+}
+
+#[test]
 fn axes_of_instruments_beside_poses_are_named() {
     type Change = fn(Sample) -> Sample;
-    let cases: [(Change, &str); 11] = [
+    let cases: [(Change, &str); 12] = [
         (
             |own| own.with_rate(|all| all.map(|part| -part)),
             "gyroscope_axes = [\"-x\", \"-y\", \"-z\"]",
@@ -146,6 +162,10 @@ fn axes_of_instruments_beside_poses_are_named() {
         (
             |own| own.with_rate(|all| all.map(|part| part.to_degrees() * 1e3)),
             "angular_rate = \"mdeg/s\"",
+        ),
+        (
+            |own| own.with_rate(|all| all.map(|part| part / std::f64::consts::TAU)),
+            "angular_rate = \"rev/s\"",
         ),
         (
             |own| {
