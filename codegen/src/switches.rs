@@ -23,8 +23,9 @@ pub struct Switches {
 }
 
 impl Switches {
-    /// Switches of `model` that depend on the state, and smooth ones of the time; `None` if there are none.
-    pub fn of(model: &Model) -> Option<Switches> {
+    /// Switches of `model` that depend on the state or the time; `None` if there are none. Kinks and jumps of functions
+    /// of the time alone are left out unless `at_times`: where each is the end of a step, no step passes one.
+    pub fn of(model: &Model, at_times: bool) -> Option<Switches> {
         if !model.expressions().into_iter().any(has_switch) {
             return None;
         }
@@ -34,7 +35,7 @@ impl Switches {
             dx,
             ..
         } = lower(model);
-        let (arguments, levels) = collected(&mut graph, &dx);
+        let (arguments, levels) = collected(&mut graph, &dx, at_times);
         if arguments.is_empty() {
             return None;
         }
@@ -70,13 +71,17 @@ fn has_switch(expression: &Expr) -> bool {
 }
 
 /// Nodes of the arguments on which `roots` depend, inner ones first, and their levels.
-fn collected(graph: &mut ExprGraph, roots: &[NodeId]) -> (Vec<NodeId>, Vec<Vec<f64>>) {
+fn collected(
+    graph: &mut ExprGraph,
+    roots: &[NodeId],
+    at_times: bool,
+) -> (Vec<NodeId>, Vec<Vec<f64>>) {
     let (mut arguments, mut levels): (Vec<NodeId>, Vec<Vec<f64>>) = Default::default();
     let mut motion = Motion::default();
     for node in graph.reachable(roots) {
-        for (argument, own, is_smooth) in switched(graph, node) {
+        for (argument, own, may_end_steps) in switched(graph, node) {
             let moves = motion.of(graph, argument);
-            if !(moves.by_state || moves.by_time && is_smooth) {
+            if !(moves.by_state || moves.by_time && (at_times || !may_end_steps)) {
                 continue;
             }
             let known = arguments.iter().position(|known| *known == argument);
@@ -95,8 +100,8 @@ fn collected(graph: &mut ExprGraph, roots: &[NodeId]) -> (Vec<NodeId>, Vec<Vec<f
     (arguments, levels)
 }
 
-/// Arguments of the function of a node with their levels, and whether it is smooth: kinks and jumps of functions of the
-/// time alone are the ends of steps already.
+/// Arguments of the function of a node with their levels, and whether these may be ends of steps if it is a function of
+/// the time alone.
 fn switched(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, Vec<f64>, bool)> {
     use MathFunction as F;
     if let Node::Product(factors) = graph.node(node) {
@@ -106,18 +111,19 @@ fn switched(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, Vec<f64>, bool)
         return odd.map(|(base, _)| (*base, vec![0.0], false)).collect();
     }
     match *graph.node(node) {
-        Node::Call(F::Exp | F::Tanh, x) => vec![(x, SMOOTH_LEVELS.to_vec(), true)],
+        Node::Call(F::Exp | F::Tanh, x) => vec![(x, SMOOTH_LEVELS.to_vec(), false)],
         Node::Call(F::Asin, x) => vec![(x, vec![-1.0, 1.0], false)],
-        Node::Call(F::Abs | F::Sign | F::Heaviside | F::Log | F::Sqrt, x)
-            if !graph.facts(x).nonneg =>
-        {
+        Node::Call(F::Log | F::Sqrt, x) if !graph.facts(x).nonneg => {
             vec![(x, vec![0.0], false)]
         }
+        Node::Call(F::Abs | F::Sign | F::Heaviside, x) if !graph.facts(x).nonneg => {
+            vec![(x, vec![0.0], true)]
+        }
         Node::Call(F::Table(table), x) => {
-            vec![(x, graph.tables().of(table).knots().to_vec(), false)]
+            vec![(x, graph.tables().of(table).knots().to_vec(), true)]
         }
         Node::Call2(BinaryFunction::Min | BinaryFunction::Max, a, b) => {
-            vec![(graph.sub(a, b), vec![0.0], false)]
+            vec![(graph.sub(a, b), vec![0.0], true)]
         }
         Node::Call2(BinaryFunction::Table(table), a, b) => {
             let knots = graph
@@ -127,7 +133,7 @@ fn switched(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, Vec<f64>, bool)
                 .knots()
                 .map(<[f64]>::to_vec);
             let both = [a, b].into_iter().zip(knots);
-            both.map(|(x, own)| (x, own, false)).collect()
+            both.map(|(x, own)| (x, own, true)).collect()
         }
         _ => Vec::new(),
     }

@@ -132,9 +132,10 @@ impl CompiledModel {
     fn with_functions(model: &Model, functions: ModelFunctions) -> CompiledModel {
         let limits = model.limits.iter();
         let layout = Layout::new(model);
+        let time_breaks = TimeBreaks::of(model, &layout);
         CompiledModel {
-            time_breaks: TimeBreaks::of(model, &layout),
-            switches: SwitchTape::of(model),
+            switches: SwitchTape::of(model, &time_breaks),
+            time_breaks,
             place: model.place(),
             constraints: Constraints::of(model).map(Arc::new),
             layout,

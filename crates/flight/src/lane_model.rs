@@ -15,7 +15,7 @@ use codegen::rust::source_hash;
 use codegen::tape::Inputs;
 use codegen::tape_model::{TapeFunction, TapeModel};
 use generated::{Equations, Visitor};
-use lanes::{Isa, LaneKernel, Lanes};
+use lanes::{Enclosure, Isa, LaneKernel, Lanes};
 use model_spec::layout::ParamId;
 use model_spec::model::Model;
 use ode::{
@@ -52,14 +52,15 @@ impl LaneModel {
 
     /// Prepares `model` for integration in SIMD lanes by a tape, even if generated Rust code for the model exists.
     pub fn interpreted(model: &Model) -> LaneModel {
+        let time_breaks = TimeBreaks::of(model, &Layout::new(model));
         LaneModel {
             model: model.clone(),
             is_generated: false,
             tape: OnceLock::new(),
             constrained: OnceLock::new(),
             bounds: model.limits.iter().map(|limit| limit.bound).collect(),
-            time_breaks: TimeBreaks::of(model, &Layout::new(model)),
-            switches: SwitchTape::of(model),
+            switches: SwitchTape::of(model, &time_breaks),
+            time_breaks,
             inputs: InputsOverTime::default(),
         }
     }
@@ -153,6 +154,20 @@ impl LaneModel {
         }
     }
 
+    fn switch_bounds(
+        &self,
+        t: Enclosure,
+        x: &[Enclosure],
+        p: &[f64],
+        to: &mut [Enclosure],
+    ) -> bool {
+        let Some(own) = self.switches.as_ref().filter(|_| self.inputs.is_empty()) else {
+            return false;
+        };
+        own.bounds(t, x, p, &mut Vec::new(), to);
+        true
+    }
+
     /// Number of margins: of the validity limits of the model, and of the ends of the inputs.
     fn limits(&self) -> usize {
         self.bounds.len() + self.inputs.iter().count()
@@ -221,6 +236,16 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
         self.model.switch_levels()
     }
 
+    fn switch_bounds(
+        &self,
+        t: Enclosure,
+        x: &[Enclosure],
+        p: &[f64],
+        to: &mut [Enclosure],
+    ) -> bool {
+        self.model.switch_bounds(t, x, p, to)
+    }
+
     #[inline(always)]
     fn switch_arguments<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]) {
         self.model.switch_arguments(at, scratch, to);
@@ -272,6 +297,16 @@ impl LaneRhs for TapeRhs<'_> {
 
     fn switch_levels(&self) -> &[Vec<f64>] {
         self.model.switch_levels()
+    }
+
+    fn switch_bounds(
+        &self,
+        t: Enclosure,
+        x: &[Enclosure],
+        p: &[f64],
+        to: &mut [Enclosure],
+    ) -> bool {
+        self.model.switch_bounds(t, x, p, to)
     }
 
     #[inline(always)]

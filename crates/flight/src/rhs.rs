@@ -1,6 +1,7 @@
 //! Right-hand side of a bound model for the solver of the crate `ode`.
 
 use crate::{BoundModel, ModelState, Workspace};
+use lanes::Enclosure;
 use ode::{DifferentiableRhs, OdeRhs, Projection};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -11,6 +12,8 @@ pub struct ModelRhs<'a> {
     workspace: Workspace,
     /// Parameters at the time of an evaluation.
     parameters: Vec<f64>,
+    /// Registers of the bounds of switches.
+    bounds: Vec<Enclosure>,
 }
 
 impl BoundModel<'_> {
@@ -20,6 +23,7 @@ impl BoundModel<'_> {
             model: self,
             workspace: Workspace::default(),
             parameters: Vec::new(),
+            bounds: Vec::new(),
         }
     }
 }
@@ -47,6 +51,10 @@ impl OdeRhs for ModelRhs<'_> {
 
     fn switch_arguments(&mut self, t: f64, x: &ModelState, to: &mut [f64]) {
         DifferentiableRhs::switch_arguments(self, t, x, to);
+    }
+
+    fn switch_bounds(&mut self, t: Enclosure, x: &[Enclosure], to: &mut [Enclosure]) -> bool {
+        DifferentiableRhs::switch_bounds(self, t, x, to)
     }
 
     fn state_name(&self, component: usize) -> Cow<'_, str> {
@@ -101,6 +109,16 @@ impl DifferentiableRhs for ModelRhs<'_> {
             let at = self.model.at(t, x, &mut self.parameters);
             own.arguments.eval(at, &[], &mut self.workspace, &mut [to]);
         }
+    }
+
+    fn switch_bounds(&mut self, t: Enclosure, x: &[Enclosure], to: &mut [Enclosure]) -> bool {
+        // What inputs over time do between two times has no bounds here.
+        let switches = self.model.model.switches.as_ref();
+        let Some(own) = switches.filter(|_| self.model.inputs.is_empty()) else {
+            return false;
+        };
+        own.bounds(t, x, &self.model.parameters, &mut self.bounds, to);
+        true
     }
 
     fn state_name(&self, state: usize) -> Cow<'_, str> {

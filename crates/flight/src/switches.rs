@@ -1,7 +1,10 @@
 //! Arguments of functions of a model that switch, for the steps of an integration.
 
+use crate::time_breaks::TimeBreaks;
 use codegen::switches::Switches;
+use codegen::tape::Inputs;
 use codegen::tape_model::TapeFunction;
+use lanes::{Enclosure, Real};
 use model_spec::model::Model;
 use std::sync::Arc;
 
@@ -13,12 +16,32 @@ pub(crate) struct SwitchTape {
 }
 
 impl SwitchTape {
-    /// Switches of a model; `None` if it has none.
-    pub fn of(model: &Model) -> Option<SwitchTape> {
-        let Switches { arguments, levels } = Switches::of(model)?;
+    /// Switches of a model, with those of the time at which `breaks` end no step; `None` if it has none.
+    pub fn of(model: &Model, breaks: &TimeBreaks) -> Option<SwitchTape> {
+        let Switches { arguments, levels } = Switches::of(model, !breaks.is_complete())?;
         Some(SwitchTape {
             arguments,
             levels: levels.into(),
         })
+    }
+
+    /// Writes bounds of the arguments where the time and the state are functions with the bounds `t` and `x`.
+    pub fn bounds(
+        &self,
+        t: Enclosure,
+        x: &[Enclosure],
+        parameters: &[f64],
+        scratch: &mut Vec<Enclosure>,
+        to: &mut [Enclosure],
+    ) {
+        let p: Vec<Enclosure> = parameters.iter().map(|p| Enclosure::splat(*p)).collect();
+        let inputs = Inputs {
+            t,
+            x,
+            p: &p,
+            prepared: &[],
+            marker: &[],
+        };
+        self.arguments.tape.eval(inputs, scratch, to);
     }
 }

@@ -11,6 +11,8 @@ pub(crate) struct TimeBreaks {
     arguments: Vec<(InTime, Vec<f64>)>,
     /// For each auxiliary variable, its definition if that is piecewise linear in the time; empty without arguments.
     variables: Vec<Option<InTime>>,
+    /// Whether a function with kinks has an argument that changes with the time, but is not piecewise linear in it.
+    has_others: bool,
 }
 
 /// Expression that is piecewise linear in the time for all parameter values.
@@ -29,18 +31,19 @@ impl TimeBreaks {
     /// Collects the functions of `model` with kinks whose argument is piecewise linear in the time.
     pub fn of(model: &Model, layout: &Layout) -> TimeBreaks {
         let reader = Reader::new(model, layout);
-        let mut arguments = Vec::new();
+        let mut breaks = TimeBreaks::default();
         for root in model.expressions() {
-            reader.collect(root, &mut arguments);
+            reader.collect(root, &mut breaks);
         }
-        let variables = reader.variables;
-        match arguments.is_empty() {
-            true => TimeBreaks::default(),
-            false => TimeBreaks {
-                arguments,
-                variables,
-            },
+        if !breaks.arguments.is_empty() {
+            breaks.variables = reader.variables;
         }
+        breaks
+    }
+
+    /// Whether every kink or jump of a function of the time alone is among the breaks.
+    pub fn is_complete(&self) -> bool {
+        !self.has_others
     }
 
     /// Times of the breaks, s, for parameter values in the order of the model's layout; increasing.
@@ -143,6 +146,8 @@ struct Reader<'m> {
     layout: &'m Layout,
     /// For each auxiliary variable so far, its definition if that is piecewise linear in the time.
     variables: Vec<Option<InTime>>,
+    /// For each auxiliary variable so far, whether it may change with the time where the state rests.
+    times: Vec<bool>,
 }
 
 impl<'m> Reader<'m> {
@@ -151,41 +156,74 @@ impl<'m> Reader<'m> {
             model,
             layout,
             variables: Vec::with_capacity(model.aux_variables.len()),
+            times: Vec::with_capacity(model.aux_variables.len()),
         };
         for variable in &model.aux_variables {
             let definition = reader.read(&variable.value);
+            let has_time = reader.has_time(&variable.value);
             reader.variables.push(definition);
+            reader.times.push(has_time);
         }
         reader
     }
 
     /// Adds the arguments within `e`, inner ones first, at whose knots a function of the time is not smooth.
-    fn collect(&self, e: &Expr, arguments: &mut Vec<(InTime, Vec<f64>)>) {
-        e.children(&mut |child| self.collect(child, arguments));
-        let (argument, knots) = match &e.kind {
+    fn collect(&self, e: &Expr, breaks: &mut TimeBreaks) {
+        e.children(&mut |child| self.collect(child, breaks));
+        match &e.kind {
             ExprKind::Call(Function::Table(index), a) => {
                 let knots = &self.model.tables[*index].arguments[0].knots;
-                (self.read(a), knots.clone())
+                self.add([a, a], self.read(a), knots, breaks);
             }
             ExprKind::Lookup(index, a, b) => {
                 let of_arguments = self.model.tables[*index].arguments.iter();
                 for (argument, of_argument) in [a, b].into_iter().zip(of_arguments) {
-                    let read = self.read(argument).filter(InTime::has_time);
-                    arguments.extend(read.map(|read| (read, of_argument.knots.clone())));
+                    let read = self.read(argument);
+                    self.add([argument, argument], read, &of_argument.knots, breaks);
                 }
-                return;
             }
             ExprKind::Call(Function::Step | Function::Sign | Function::Abs, a) => {
-                (self.read(a), vec![0.0])
+                self.add([a, a], self.read(a), &[0.0], breaks);
             }
             ExprKind::Min(a, b) | ExprKind::Max(a, b) => {
                 let both = self.read(a).zip(self.read(b));
                 let difference = both.and_then(|(a, b)| InTime::two(a, b, |a, b| a - b));
-                (difference, vec![0.0])
+                self.add([a, b], difference, &[0.0], breaks);
             }
-            _ => return,
-        };
-        arguments.extend(argument.filter(InTime::has_time).map(|a| (a, knots)));
+            _ => {}
+        }
+    }
+
+    /// Adds an argument made of the expressions `of`, as it was read, with its knots.
+    fn add(&self, of: [&Expr; 2], read: Option<InTime>, knots: &[f64], breaks: &mut TimeBreaks) {
+        match read {
+            Some(argument) if argument.has_time() => {
+                breaks.arguments.push((argument, knots.to_vec()));
+            }
+            Some(_) => {}
+            None => breaks.has_others |= of.into_iter().any(|e| self.has_time(e)),
+        }
+    }
+
+    /// Whether an expression may change with the time where the state rests.
+    fn has_time(&self, e: &Expr) -> bool {
+        let mut found = false;
+        e.walk(&mut |e| {
+            found |= match &e.kind {
+                ExprKind::Time => true,
+                ExprKind::AuxVariable(i) => self.times.get(*i).is_none_or(|has_time| *has_time),
+                // They stand for equations, loads or angles that are not read here.
+                ExprKind::Unknown(..)
+                | ExprKind::Determinacy(_)
+                | ExprKind::Rate(..)
+                | ExprKind::BodyRate(..)
+                | ExprKind::Axis(..)
+                | ExprKind::SpecificForce
+                | ExprKind::AngularAcceleration => true,
+                _ => false,
+            };
+        });
+        found
     }
 
     fn read(&self, e: &Expr) -> Option<InTime> {

@@ -29,6 +29,7 @@
 #![deny(unsafe_code)]
 
 mod dispatch;
+mod enclosure;
 mod functions;
 mod fused;
 mod isa;
@@ -41,6 +42,7 @@ mod scalar;
 mod x86;
 
 pub use dispatch::{dispatch, dispatch_scalar, dispatch_widest, dispatch_with};
+pub use enclosure::Enclosure;
 pub use fused::ScalarLane;
 pub use isa::Isa;
 pub use kernel::{Kernel, ScalarKernel};

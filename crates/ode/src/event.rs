@@ -214,10 +214,19 @@ pub(crate) fn falling_zeros(
     mut value: impl FnMut(f64) -> f64,
     found: &mut Vec<f64>,
 ) {
-    let points = with_dips(&mut value);
+    let mut points = with_dips(&mut value);
     if from_zero && (-AT_ZERO..=0.0).contains(&points[0].1) {
         let leaves = points.iter().find(|point| point.1.abs() > AT_ZERO);
-        found.extend(leaves.filter(|point| point.1 < 0.0).map(|_| 0.0));
+        if let Some(&(until, _)) = leaves.filter(|point| point.1 < 0.0) {
+            // A hop that is over before that point is a rise first.
+            match dip(&mut |s| AT_ZERO - value(s), 0.0, until) {
+                Some((s, below)) => {
+                    let place = points.partition_point(|point| point.0 < s);
+                    points.insert(place, (s, AT_ZERO - below));
+                }
+                None => found.push(0.0),
+            }
+        }
     }
     for (index, pair) in points.windows(2).enumerate() {
         let [before, after] = [pair[0], pair[1]];
@@ -371,6 +380,10 @@ mod tests {
         assert_eq!(find(true, |s| -1e-9 - s), [0.0]);
         assert_eq!(find(true, |s| 1e-10 * (9.0 * s).sin()), []);
         assert_eq!(find(true, |s| 1e-3 * (4.0 * s).sin()).len(), 1);
+        // A hop at the start of a long step, which has a landing; one of less than the error of the interpolation.
+        let hop = find(true, |s| s * (2e-3 - s));
+        assert!((hop[0] - 2e-3).abs() < 1e-12 && hop.len() == 1, "{hop:?}");
+        assert_eq!(find(true, |s| s * (1e-4 - s)), [0.0]);
         // A corner, as of a speed.
         let cusp = find(false, |s| (s - 0.3012).abs() - 1e-3);
         assert!((cusp[0] - 0.3002).abs() < 1e-12, "{cusp:?}");

@@ -1,6 +1,7 @@
 //! Right-hand side of an ordinary differential equation dx/dt = f(t, x).
 
 use crate::projection::Projection;
+use lanes::Enclosure;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -47,6 +48,13 @@ pub trait OdeRhs {
     /// on another comes after it.
     fn switch_arguments(&mut self, t: f64, x: &Self::State, to: &mut [f64]) {
         let _ = (t, x, to);
+    }
+
+    /// Writes bounds of these arguments where the time and the state are functions with the bounds `t` and `x`; whether
+    /// they are known, by default not. Without them narrow features are sought at points of a step alone.
+    fn switch_bounds(&mut self, t: Enclosure, x: &[Enclosure], to: &mut [Enclosure]) -> bool {
+        let _ = (t, x, to);
+        false
     }
 
     /// Name of a state component, used in error messages only.

@@ -1,13 +1,22 @@
 //! Parts of a step that its stages may have flown over: where the arguments of functions that switch pass their levels,
 //! such as the knots of a table.
 
+mod path;
+
+pub(crate) use self::path::Path;
 use crate::root::first_past_root;
+use lanes::{Enclosure, Real};
 
 /// Reach of an argument beyond its values at the ends and the middle of a step, in units of their second difference: a
-/// parabola reaches at most an eighth beyond the three, a roof a half.
+/// parabola reaches at most an eighth beyond the three, a roof a half, and nothing that bends to one side alone reaches
+/// further than one.
 const REACH: f64 = 1.0;
 
-/// Number of equal parts of a step at whose ends the arguments are computed, before their extremes are sought.
+/// Greatest number of parts of a step whose bounds are asked for: the passages of one feature need some forty, those of
+/// a jump as many. An argument that rests on a level, but for rounding, would have all parts asked.
+const MOST_BOUNDS: usize = 256;
+
+/// Number of equal parts of a step at whose ends the arguments are computed where their bounds do not tell enough.
 const PARTS: usize = 8;
 
 /// Number of points that are added near an extreme of an argument; the first is exact for a parabola.
@@ -29,6 +38,14 @@ pub(crate) const MAX_OVERLOOKED: f64 = 10.0;
 
 /// Arguments at the start, in the middle and at the end of a step.
 pub(crate) type Points<'a> = [&'a [f64]; 3];
+
+/// Arguments of switches over a step.
+pub(crate) trait Arguments {
+    /// Writes the arguments at the fraction `s` of the step.
+    fn at(&mut self, s: f64, to: &mut [f64]);
+    /// Writes bounds of the arguments in a part of the step; whether they are known.
+    fn bounds(&mut self, part: (f64, f64), to: &mut [Enclosure]) -> bool;
+}
 
 /// Cell of a step between two passages: its middle and its width, as fractions of the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,26 +77,27 @@ pub(crate) fn may_have_cells(levels: &[Vec<f64>], points: Points<'_>) -> bool {
     levels.iter().enumerate().map(of_argument).sum::<usize>() > 1
 }
 
-/// Cells of a step, in order of time; `arguments` computes the arguments at a fraction of it.
+/// Cells of a step, in order of time.
 #[cold]
-pub(crate) fn cells(
-    levels: &[Vec<f64>],
-    points: Points<'_>,
-    arguments: &mut dyn FnMut(f64, &mut [f64]),
-) -> Vec<Cell> {
+pub(crate) fn cells(levels: &[Vec<f64>], arguments: &mut dyn Arguments) -> Vec<Cell> {
     let mut search = Search {
         samples: Vec::with_capacity(2 * PARTS),
+        count: levels.len(),
         arguments,
     };
-    for (s, values) in [0.0, 0.5, 1.0].into_iter().zip(points) {
-        search.samples.push((s, values.to_vec()));
+    for s in [0.0, 0.5, 1.0] {
+        search.add(s);
     }
-    for k in 1..PARTS {
-        search.add(k as f64 / PARTS as f64);
+    if !search.part(levels) {
+        for k in 1..PARTS {
+            search.add(k as f64 / PARTS as f64);
+        }
+        for (j, levels) in levels.iter().enumerate() {
+            search.add_extremes(j, levels);
+        }
     }
     let mut passages = Vec::new();
     for (j, levels) in levels.iter().enumerate() {
-        search.add_extremes(j, levels);
         search.add_passages(j, levels, &mut passages);
     }
     passages.sort_by(f64::total_cmp);
@@ -99,7 +117,9 @@ fn index(levels: &[f64], value: f64) -> usize {
 struct Search<'a> {
     /// Fractions of the step, increasing, with the arguments there.
     samples: Vec<(f64, Vec<f64>)>,
-    arguments: &'a mut dyn FnMut(f64, &mut [f64]),
+    /// Number of arguments.
+    count: usize,
+    arguments: &'a mut dyn Arguments,
 }
 
 impl Search<'_> {
@@ -109,9 +129,47 @@ impl Search<'_> {
         if self.samples.get(place).is_some_and(|sample| sample.0 == s) {
             return;
         }
-        let mut values = vec![0.0; self.samples[0].1.len()];
-        (self.arguments)(s, &mut values);
+        let mut values = vec![0.0; self.count];
+        self.arguments.at(s, &mut values);
         self.samples.insert(place, (s, values));
+    }
+
+    /// Adds points until each argument passes no level between two neighbours, or is monotone there; whether the bounds
+    /// of the arguments show that within [`MOST_BOUNDS`].
+    fn part(&mut self, levels: &[Vec<f64>]) -> bool {
+        let may_pass = |(j, own): &(usize, &Vec<f64>)| {
+            let points = [0, 1, 2].map(|k| self.samples[k].1[*j]);
+            possible_passages(own, points) > 0
+        };
+        let watched: Vec<_> = levels.iter().enumerate().filter(may_pass).collect();
+        let mut bounds = vec![Enclosure::splat(0.0); self.count];
+        let mut open = vec![(0.0, 1.0)];
+        for _ in 0..MOST_BOUNDS {
+            let Some(part) = open.pop() else {
+                return true;
+            };
+            if !self.arguments.bounds(part, &mut bounds) {
+                return false;
+            }
+            let passing = watched.iter().filter(|(j, levels)| {
+                let [low, high] = bounds[*j].range();
+                index(levels, low) != index(levels, high)
+            });
+            let (mut passes, mut is_plain) = (false, true);
+            for (j, _) in passing {
+                passes = true;
+                is_plain &= bounds[*j].is_monotone();
+            }
+            let (from, until) = part;
+            if !is_plain && until - from > LEAST_CELL {
+                let middle = 0.5 * (from + until);
+                open.extend([(middle, until), (from, middle)]);
+            } else if passes {
+                self.add(from);
+                self.add(until);
+            }
+        }
+        open.is_empty()
     }
 
     /// Adds points at the extremes of argument `j` that may pass a level between the samples.
@@ -157,10 +215,10 @@ impl Search<'_> {
         for pair in self.samples.windows(2) {
             let [a, b] = [&pair[0], &pair[1]].map(|sample| (sample.0, sample.1[j]));
             let [from, to] = [a.1, b.1].map(|value| index(levels, value));
-            let mut values = vec![0.0; pair[0].1.len()];
+            let mut values = vec![0.0; self.count];
             for level in &levels[from.min(to)..from.max(to)] {
                 let value = |s: f64| {
-                    (self.arguments)(s, &mut values);
+                    self.arguments.at(s, &mut values);
                     values[j] - level
                 };
                 // A level at the start of a rise is passed there.
@@ -182,14 +240,79 @@ impl Search<'_> {
 mod tests {
     use super::*;
 
+    /// One argument, by its values and, if known, by its bounds.
+    struct One(fn(f64) -> f64, Option<fn(Enclosure) -> Enclosure>);
+
+    impl Arguments for One {
+        fn at(&mut self, s: f64, to: &mut [f64]) {
+            to[0] = self.0(s);
+        }
+
+        fn bounds(&mut self, (from, until): (f64, f64), to: &mut [Enclosure]) -> bool {
+            let s = Enclosure::polynomial(&[0.5 * (from + until), 0.5 * (until - from)]);
+            self.1.is_some_and(|of| {
+                to[0] = of(s);
+                true
+            })
+        }
+    }
+
     fn found(levels: &[f64], argument: fn(f64) -> f64) -> Vec<Cell> {
+        found_in(levels, One(argument, None))
+    }
+
+    fn found_in(levels: &[f64], mut argument: One) -> Vec<Cell> {
         let levels = [levels.to_vec()];
-        let points = [0.0, 0.5, 1.0].map(|s| [argument(s)]);
+        let points = [0.0, 0.5, 1.0].map(|s| [argument.0(s)]);
         let points = points.each_ref().map(|values| &values[..]);
         if !may_have_cells(&levels, points) {
             return Vec::new();
         }
-        cells(&levels, points, &mut |s, to| to[0] = argument(s))
+        cells(&levels, &mut argument)
+    }
+
+    /// Distances from a line and products, whose extreme no parabola through samples shows.
+    #[test]
+    fn narrow_extremes_are_found_by_bounds() {
+        macro_rules! cell {
+            ($levels:expr, |$s:ident| $value:expr) => {{
+                fn of<T: Real>($s: T) -> T {
+                    $value
+                }
+                let cells = found_in($levels, One(of::<f64>, Some(of::<Enclosure>)));
+                let widths = cells.iter().map(|cell| (cell.middle, cell.width));
+                widths.collect::<Vec<(f64, f64)>>()
+            }};
+        }
+        fn number<T: Real>(value: f64) -> T {
+            T::splat(value)
+        }
+        let near = |cells: &[(f64, f64)], expected: &[(f64, f64)]| {
+            assert_eq!(cells.len(), expected.len(), "{cells:?}");
+            for (a, b) in cells.iter().zip(expected) {
+                assert!(
+                    (a.0 - b.0).abs() < 1e-7 && (a.1 - b.1).abs() < 1e-7,
+                    "{cells:?}"
+                );
+            }
+        };
+        // 5e-6 of the step wide: a distance that comes to 4e-6 of it.
+        let cells = cell!(&[0.0], |s| {
+            let x = s - number(0.7313);
+            number::<T>(5e-6) - (x * x + number(1.6e-11)).sqrt()
+        });
+        near(&cells, &[(0.7313, 6e-6)]);
+        let cells = cell!(&[0.0], |s| (s - number(0.31)) * (number::<T>(0.31001) - s));
+        near(&cells, &[(0.310005, 1e-5)]);
+        // Just too far away.
+        let cells = cell!(&[0.0], |s| {
+            let x = s - number(0.7313);
+            number::<T>(3.9e-6) - (x * x + number(1.6e-11)).sqrt()
+        });
+        near(&cells, &[]);
+        let cells = cell!(&[0.5], |s| (s - number(0.2)).heaviside()
+            - (s - number(0.20003)).heaviside());
+        near(&cells, &[]);
     }
 
     #[test]

@@ -19,7 +19,7 @@ const WIDTHS: (f64, f64) = (1.0 / 2000.0, 1.0 / 10.0);
 const FEATURES: u64 = 40;
 
 /// Kinds of features about `c` of the half-width `w`, as functions of the position `s`.
-const KINDS: [(&str, &str); 14] = [
+const KINDS: [(&str, &str); 22] = [
     ("a Gaussian jet", "exp(-((s - c)/w)^2)"),
     ("a mast", "step(s - c + w)*step(c + w - s)"),
     (
@@ -51,6 +51,38 @@ const KINDS: [(&str, &str); 14] = [
     (
         "a pulse in time",
         "exp(-(((time - 1 [s])/(1 [s]) - c)/w)^2)",
+    ),
+    (
+        "a pole beside the path",
+        "step(w - sqrt((s - c)^2 + 0.01*w^2))",
+    ),
+    (
+        "a cone beside the path",
+        "max(1 - sqrt((s - c)^2 + 0.01*w^2)/w, 0)",
+    ),
+    (
+        "a decay with the distance",
+        "exp(-sqrt((s - c)^2 + 0.01*w^2)/w)",
+    ),
+    (
+        "a smooth pole",
+        "1 - tanh((sqrt((s - c)^2 + 0.01*w^2) - w)/(0.1*w))",
+    ),
+    (
+        "a product in time",
+        "step((time/(1 [s]) - c + w)*(c + w - time/(1 [s])))",
+    ),
+    (
+        "a half circle in time",
+        "sqrt(1 - ((time/(1 [s]) - c)/w)^2)",
+    ),
+    (
+        "a crest in time",
+        "2*(500/w)^2*max(cos((time/(1 [s]) - c)/500) - cos(w/500), 0)",
+    ),
+    (
+        "a table of the square of the time",
+        "layer(((time/(1 [s]))^2 - c^2)/(2*c*w))",
     ),
 ];
 
@@ -224,7 +256,7 @@ impl FlightQueue for Queue<'_> {
 
 /// A body that falls at its terminal velocity through a layer of wind, and a wheel that rolls out past a resonance of
 /// its speed and of its angle.
-const FLIGHTS: [(&str, &str, f64); 3] = [
+const FLIGHTS: [(&str, &str, f64); 4] = [
     (
         "wind",
         "param m = 1 kg;\nparam g = 9.81 m/s^2;\nparam k = 0.3924 kg/m;\n\
@@ -244,6 +276,15 @@ const FLIGHTS: [(&str, &str, f64); 3] = [
         "angle",
         "state turn = 0 rad;\nstate x = 0 m;\nder(turn) = 0.01 [rad/s];\n\
          der(x) = step(turn - 3 [rad])*step(3.01 [rad] - turn)*1 [m/s];\n",
+        0.0,
+    ),
+    (
+        // Past a mast on a path that bends, where the parts of the dense output that a cubic lacks count.
+        "mast",
+        "state s = 0 m;\nstate v = 10 m/s;\nstate y = 0 m;\nstate u = 0.1 m/s;\nstate x = 0 m;\n\
+         der(s) = v;\nder(v) = -v/(200 [s]);\nder(y) = u;\nder(u) = -y/(400 [s^2]);\n\
+         let r = sqrt((s - 900 [m])^2 + (y - 0.1 [m])^2);\n\
+         der(x) = max(1 - r/(2.5 [m]), 0)*10 [m/s];\n",
         0.0,
     ),
 ];

@@ -2,7 +2,7 @@
 //! once for each lane type and model.
 
 use super::{LanePoint, LaneRhs, LaneSizes};
-use lanes::{LaneKernel, Lanes};
+use lanes::{Enclosure, LaneKernel, Lanes};
 
 /// Function of a [`LaneRhs`], with its arguments.
 #[derive(Clone, Copy)]
@@ -19,6 +19,8 @@ pub(crate) trait LaneFunctions<T> {
     fn sizes(&self) -> LaneSizes;
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>);
     fn switch_levels(&self) -> &[Vec<f64>];
+    fn switch_bounds(&self, t: Enclosure, x: &[Enclosure], p: &[f64], to: &mut [Enclosure])
+    -> bool;
     fn call(&self, call: Call<'_, T>, scratch: &mut [T], to: &mut [T]);
 }
 
@@ -33,6 +35,16 @@ impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
 
     fn switch_levels(&self) -> &[Vec<f64>] {
         LaneRhs::switch_levels(self)
+    }
+
+    fn switch_bounds(
+        &self,
+        t: Enclosure,
+        x: &[Enclosure],
+        p: &[f64],
+        to: &mut [Enclosure],
+    ) -> bool {
+        LaneRhs::switch_bounds(self, t, x, p, to)
     }
 
     fn call(&self, call: Call<'_, T>, scratch: &mut [T], to: &mut [T]) {

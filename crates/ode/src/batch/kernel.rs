@@ -187,10 +187,10 @@ impl<'a, T: Lanes> Flying<'a, T> {
         let (t, h) = (T::load(&self.control.t), T::load(&self.control.h));
         let (mut errors, mut passes) = ([0.0; MAX_LANES], [false; MAX_LANES]);
         let mut asks = [false; MAX_LANES];
-        let mut has_cells = [false; MAX_LANES];
+        let mut may_have_cells = [false; MAX_LANES];
         // A loop, so that the stages are compiled once: first for the step, then for its dense output.
         for is_dense in [false, true] {
-            if is_dense && !asks.iter().chain(&has_cells).any(|ask| *ask) {
+            if is_dense && !asks.iter().chain(&may_have_cells).any(|ask| *ask) {
                 break;
             }
             self.run_stages(t, h, is_dense);
@@ -200,12 +200,12 @@ impl<'a, T: Lanes> Flying<'a, T> {
                     passes[lane] = self.control.flight[lane].is_some() && errors[lane] <= 1.0;
                 }
                 asks = self.attention(t, h, &passes);
-                has_cells = self.find_cells(t, h, &passes);
+                may_have_cells = self.may_have_cells(t, h, &passes);
             }
         }
         let mut cuts = [None; MAX_LANES];
         for lane in 0..T::WIDTH {
-            if has_cells[lane] {
+            if may_have_cells[lane] {
                 cuts[lane] = self.overlooked(lane, h);
             }
         }

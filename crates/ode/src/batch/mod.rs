@@ -16,7 +16,7 @@ mod staging;
 
 use crate::input::is_valid;
 use crate::options::{IntegrationOptions, SolverStats};
-use lanes::{Isa, Lanes, dispatch_widest, dispatch_with};
+use lanes::{Enclosure, Isa, Lanes, dispatch_widest, dispatch_with};
 
 /// Lengths of the arrays that a [`LaneRhs`] reads and writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +70,18 @@ pub trait LaneRhs {
     #[inline(always)]
     fn switch_arguments<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]) {
         let _ = (at, scratch, to);
+    }
+    /// Writes bounds of the arguments of switches of a flight with the parameters `p`, as
+    /// [`OdeRhs::switch_bounds`](crate::OdeRhs::switch_bounds).
+    fn switch_bounds(
+        &self,
+        t: Enclosure,
+        x: &[Enclosure],
+        p: &[f64],
+        to: &mut [Enclosure],
+    ) -> bool {
+        let _ = (t, x, p, to);
+        false
     }
     /// Writes the margin of each limit of validity; the right-hand side is valid where all are above 0.
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);

@@ -8,6 +8,7 @@ use self::jacobian_product::JacobianProduct;
 use self::projected::ProjectedSensitivities;
 use crate::projection::Projection;
 use crate::{AlignedVec, OdeRhs};
+use lanes::Enclosure;
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
@@ -41,6 +42,11 @@ pub trait DifferentiableRhs {
     /// Arguments of switches, as [`OdeRhs::switch_arguments`].
     fn switch_arguments(&mut self, t: f64, x: &[f64], to: &mut [f64]) {
         let _ = (t, x, to);
+    }
+    /// Bounds of the arguments of switches, as [`OdeRhs::switch_bounds`].
+    fn switch_bounds(&mut self, t: Enclosure, x: &[Enclosure], to: &mut [Enclosure]) -> bool {
+        let _ = (t, x, to);
+        false
     }
     /// Name of a state, used in error messages only.
     fn state_name(&self, state: usize) -> Cow<'_, str> {
@@ -224,6 +230,10 @@ impl OdeRhs for Sensitivities<'_> {
     fn switch_arguments(&mut self, t: f64, augmented: &AlignedVec, to: &mut [f64]) {
         let x = &augmented.as_ref()[..self.layout.states];
         self.rhs.switch_arguments(t, x, to);
+    }
+
+    fn switch_bounds(&mut self, t: Enclosure, x: &[Enclosure], to: &mut [Enclosure]) -> bool {
+        self.rhs.switch_bounds(t, &x[..self.layout.states], to)
     }
 
     fn state_name(&self, component: usize) -> Cow<'_, str> {

@@ -3,8 +3,9 @@
 use super::Solver;
 use crate::OdeRhs;
 use crate::dense_output::{DenseOutput, HermiteStep};
-use crate::switches::{MAX_OVERLOOKED, cells, may_have_cells};
+use crate::switches::{Arguments, Cell, MAX_OVERLOOKED, Path, cells, may_have_cells};
 use crate::time_breaks::StepEnd;
+use lanes::Enclosure;
 use std::sync::Arc;
 
 /// Arguments of switches in the current step.
@@ -70,20 +71,13 @@ impl<D: OdeRhs> Solver<'_, '_, D> {
         if !may_have_cells(&watch.levels, points) {
             return None;
         }
-        let cells = cells(&watch.levels, points, &mut within);
-        if cells.is_empty() {
-            return None;
-        }
-        self.first_overlooked(end, cells.iter().map(|cell| (cell.middle, cell.width)))
+        self.overlooked_cell(end)
     }
 
-    /// Middle of the first of the `cells`, each a middle and a width, whose rate is not that of the step.
+    /// Middle of the first cell whose rate is not that of the step.
     #[cold]
-    fn first_overlooked(
-        &mut self,
-        end: StepEnd,
-        cells: impl Iterator<Item = (f64, f64)>,
-    ) -> Option<f64> {
+    fn overlooked_cell(&mut self, end: StepEnd) -> Option<f64> {
+        let levels = self.watch.as_ref()?.levels.clone();
         let (t, h, tolerance) = (self.t, end.h, self.tolerance);
         let (tableau, mut rate) = (self.stepper.tableau, self.stepper.x.clone());
         let scales: Vec<f64> = {
@@ -102,7 +96,13 @@ impl<D: OdeRhs> Solver<'_, '_, D> {
             rows,
             projection: self.projection.as_deref(),
         };
-        for (s, width) in cells {
+        let mut arguments = OnPath {
+            rhs: self.rhs,
+            path: Path::of(&step),
+            state: &mut self.scratch,
+            bounds: Vec::new(),
+        };
+        for Cell { middle: s, width } in cells(&levels, &mut arguments) {
             step.state(s, self.scratch.as_mut());
             self.rhs.derivative(t + s * h, &self.scratch, &mut rate);
             self.stats.evaluations += 1;
@@ -115,5 +115,27 @@ impl<D: OdeRhs> Solver<'_, '_, D> {
             }
         }
         None
+    }
+}
+
+/// Arguments of switches on the path of a step.
+struct OnPath<'a, D: OdeRhs> {
+    rhs: &'a mut D,
+    path: Path,
+    state: &'a mut D::State,
+    bounds: Vec<Enclosure>,
+}
+
+impl<D: OdeRhs> Arguments for OnPath<'_, D> {
+    fn at(&mut self, s: f64, to: &mut [f64]) {
+        for (x, value) in self.state.as_mut().iter_mut().zip(self.path.state(s)) {
+            *x = value;
+        }
+        self.rhs.switch_arguments(self.path.time(s), self.state, to);
+    }
+
+    fn bounds(&mut self, part: (f64, f64), to: &mut [Enclosure]) -> bool {
+        let time = self.path.bounds(part, &mut self.bounds);
+        self.rhs.switch_bounds(time, &self.bounds, to)
     }
 }

@@ -6,11 +6,11 @@
 use super::Flying;
 use crate::batch::LanePoint;
 use crate::batch::control::MAX_LANES;
-use crate::batch::functions::Call;
-use crate::batch::staging::merge;
-use crate::dense_output::{DenseOutput, cubic};
-use crate::switches::{Cell, MAX_OVERLOOKED, cells, possible_passages};
-use lanes::Lanes;
+use crate::batch::functions::{Call, LaneFunctions};
+use crate::batch::staging::{LaneValues, merge};
+use crate::dense_output::DenseOutput;
+use crate::switches::{Arguments, Cell, MAX_OVERLOOKED, Path, cells, possible_passages};
+use lanes::{Enclosure, Lanes};
 
 /// Fractions of a step at which the arguments of switches are computed first.
 const POINTS: [f64; 3] = [0.0, 0.5, 1.0];
@@ -25,8 +25,6 @@ pub(super) struct Watch<T> {
     within: Vec<T>,
     /// Rates of the state at that point.
     rates: Vec<T>,
-    /// Cells of the step in each lane.
-    cells: [Vec<Cell>; MAX_LANES],
 }
 
 impl<T: Lanes> Watch<T> {
@@ -37,15 +35,14 @@ impl<T: Lanes> Watch<T> {
             knows_start: false,
             within: zeros(),
             rates: vec![T::splat(0.0); states],
-            cells: std::array::from_fn(|_| Vec::new()),
         }
     }
 }
 
 impl<T: Lanes> Flying<'_, T> {
-    /// Finds the cells of the steps of the lanes marked in `passes`; whether each lane has any.
+    /// Whether the step of each lane marked in `passes` may have cells.
     #[inline(always)]
-    pub(super) fn find_cells(
+    pub(super) fn may_have_cells(
         &mut self,
         t: T,
         h: T,
@@ -94,7 +91,7 @@ impl<T: Lanes> Flying<'_, T> {
             }
         }
         for lane in 0..T::WIDTH {
-            found[lane] = passes[lane] && possible[lane] > 1 && self.has_cells(lane);
+            found[lane] = passes[lane] && possible[lane] > 1;
         }
         found
     }
@@ -106,39 +103,29 @@ impl<T: Lanes> Flying<'_, T> {
         merge(keep, end, start);
     }
 
-    /// Finds the cells of the step of one lane; whether there are any.
+    /// Cells of the step of one lane, whose dense output is known.
     #[inline(always)]
-    fn has_cells(&mut self, lane: usize) -> bool {
-        let of_lane = |values: &Vec<T>| values.iter().map(|v| v.lane(lane)).collect::<Vec<f64>>();
-        let points = self.watch.points.each_ref().map(of_lane);
-        let points = points.each_ref().map(|values| &values[..]);
-        let levels = self.rhs.switch_levels();
-        let (t, h) = (self.control.t[lane], self.control.h[lane]);
-        let last = self.tableau.rows.len();
-        let (x, end) = (&self.values.x, &self.end);
-        let (rates, last_rates) = (self.stages.stage(0), self.stages.stage(last));
-        let mut arguments = |s: f64, to: &mut [f64]| {
-            for i in 0..x.len() {
-                let slopes = [rates[i], last_rates[i]].map(|rate| h * rate.lane(lane));
-                let ends = (x[i].lane(lane), end[i].lane(lane), slopes[0], slopes[1]);
-                self.within[i] = T::splat(cubic(ends, s));
-            }
-            let point = LanePoint {
-                t: T::splat(t + s * h),
-                x: &self.within,
-                p: &self.values.p,
-                prepared: &self.values.prepared,
-            };
-            let within = &mut self.watch.within;
-            self.rhs
-                .call(Call::Switches(&point), &mut self.scratch, within);
-            for j in 0..to.len() {
-                to[j] = within[j].lane(lane);
-            }
+    fn cells(&mut self, lane: usize) -> Vec<Cell> {
+        let n = self.stages.n;
+        let step = DenseOutput {
+            method: self.tableau.method,
+            t: self.control.t[lane],
+            h: self.control.h[lane],
+            rows: std::array::from_fn(|k| &self.rows[k * n..][..n]),
+            projection: None,
         };
-        let found = cells(levels, points, &mut arguments);
-        self.watch.cells[lane] = found;
-        !self.watch.cells[lane].is_empty()
+        let mut arguments = InLane {
+            rhs: self.rhs,
+            values: &self.values,
+            lane,
+            path: Path::of(&step),
+            bounds: Vec::new(),
+            parameters: self.values.p.iter().map(|p| p.lane(lane)).collect(),
+            state: &mut self.within,
+            within: &mut self.watch.within,
+            scratch: &mut self.scratch,
+        };
+        cells(self.rhs.switch_levels(), &mut arguments)
     }
 
     /// Fraction of the step of a lane at which its rate differs from that of the step by more than the tolerance allows,
@@ -147,8 +134,7 @@ impl<T: Lanes> Flying<'_, T> {
     pub(super) fn overlooked(&mut self, lane: usize, h: T) -> Option<f64> {
         self.fill_rows(lane, h);
         let n = self.stages.n;
-        for k in 0..self.watch.cells[lane].len() {
-            let Cell { middle: s, width } = self.watch.cells[lane][k];
+        for Cell { middle: s, width } in self.cells(lane) {
             let step = DenseOutput {
                 method: self.tableau.method,
                 t: self.control.t[lane],
@@ -182,5 +168,44 @@ impl<T: Lanes> Flying<'_, T> {
             }
         }
         None
+    }
+}
+
+/// Arguments of switches on the path of a step of one lane.
+struct InLane<'a, T> {
+    rhs: &'a dyn LaneFunctions<T>,
+    values: &'a LaneValues<T>,
+    lane: usize,
+    path: Path,
+    bounds: Vec<Enclosure>,
+    parameters: Vec<f64>,
+    /// Work arrays: a state, arguments, and what the functions need.
+    state: &'a mut [T],
+    within: &'a mut [T],
+    scratch: &'a mut [T],
+}
+
+impl<T: Lanes> Arguments for InLane<'_, T> {
+    fn at(&mut self, s: f64, to: &mut [f64]) {
+        for (x, value) in self.state.iter_mut().zip(self.path.state(s)) {
+            *x = T::splat(value);
+        }
+        let point = LanePoint {
+            t: T::splat(self.path.time(s)),
+            x: self.state,
+            p: &self.values.p,
+            prepared: &self.values.prepared,
+        };
+        self.rhs
+            .call(Call::Switches(&point), self.scratch, self.within);
+        for (to, value) in to.iter_mut().zip(&*self.within) {
+            *to = value.lane(self.lane);
+        }
+    }
+
+    fn bounds(&mut self, part: (f64, f64), to: &mut [Enclosure]) -> bool {
+        let time = self.path.bounds(part, &mut self.bounds);
+        self.rhs
+            .switch_bounds(time, &self.bounds, &self.parameters, to)
     }
 }
