@@ -4,9 +4,9 @@ use flight::parallel;
 use model_spec::sort_by_number;
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::{FitError, marker_noise};
 use super::output_error::FixedGlobal;
 use super::state::State;
+use super::{FitError, marker_noise};
 use crate::channel::{Channel, ChannelKind};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::ContactSearch;

@@ -76,7 +76,9 @@ fn predicted(
     let noise = problem.sigma0.max(floor);
     let guesses = initial_guesses(&problem, dataset, observed, options)?;
     let (state, cache) = converged(guesses, Vec::new())?;
-    let kept = cut.iter().filter(|cut| is_noise(&state, &cache, cut, noise));
+    let kept = cut
+        .iter()
+        .filter(|cut| is_noise(&state, &cache, cut, noise));
     Ok(kept.map(|(id, _)| *id).collect())
 }
 
@@ -112,10 +114,7 @@ fn may_change_suddenly(model: &Model) -> bool {
                     | ExprKind::Min(..)
                     | ExprKind::Max(..)
                     | ExprKind::Lookup(..)
-                    | ExprKind::Call(
-                        Function::Step | Function::Sign | Function::Table(_),
-                        _
-                    )
+                    | ExprKind::Call(Function::Step | Function::Sign | Function::Table(_), _)
             );
         });
     }

@@ -182,7 +182,9 @@ impl OtherUnit {
         };
         let (detail, correction) = match self.unit.is_converted_twice {
             true => (
-                format!("{sensor} seems to be in {si}, and converted from {unit} nevertheless: {why}"),
+                format!(
+                    "{sensor} seems to be in {si}, and converted from {unit} nevertheless: {why}"
+                ),
                 format!(
                     "remove `{key} = \"{unit}\"` from [recording] if it stands there, or write {si}"
                 ),

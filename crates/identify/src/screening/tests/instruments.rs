@@ -119,7 +119,9 @@ fn readings_on_a_coarse_grid_are_not_saturated_and_those_at_a_limit_are() {
             let (model, _) = calm_disc(1);
             let changed = |own: Sample| own.with_rate(|all| all.map(change));
             let faults = found(&model, &recorded(has_pose, changed));
-            let saturated = faults.into_iter().filter(|own| own.detail.contains("saturated"));
+            let saturated = faults
+                .into_iter()
+                .filter(|own| own.detail.contains("saturated"));
             saturated.count()
         };
         assert_eq!(told(coarse), 0);
