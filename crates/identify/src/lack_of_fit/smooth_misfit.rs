@@ -271,6 +271,37 @@ pub(super) fn greatest_misfit(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ground_contact::tests::jitter;
+
+    /// p-value of a flight with noise of 1 mm, and `left`, m, of what its own unknown might take away.
+    fn p_value(left: f64) -> f64 {
+        let mut random = 0;
+        let mut series = || {
+            let mut one = Series::new(2);
+            for sample in 0..150 {
+                let (time, taken) = (f64::from(sample) / 120.0, f64::from(sample) / 150.0);
+                let noise = 0.001 * 3.0_f64.sqrt() * jitter(random);
+                random += 1;
+                one.times.push(time);
+                one.sides.extend([noise + left * taken, taken]);
+            }
+            one
+        };
+        let of_flight = FlightSeries {
+            series: vec![[series(), series(), series()]],
+            fine: SplineBasis::new((0.0, 1.25), 0.03),
+        };
+        let slow = SplineBasis::new((0.0, 1.25), 0.25);
+        let noise = NoiseModel::white(0.001, 1.0 / 120.0);
+        let misfit = FlightMisfit::new(&of_flight, &slow, &noise, 0.0).unwrap();
+        misfit.p_value(0.0)
+    }
+
+    #[test]
+    fn what_a_flights_own_unknowns_did_not_take_is_a_misfit() {
+        assert!(p_value(0.0) > 0.01, "{}", p_value(0.0));
+        assert!(p_value(0.01) < 1e-6, "{}", p_value(0.01));
+    }
 
     #[test]
     fn tails_are_those_of_tables() {
