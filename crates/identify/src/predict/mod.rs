@@ -57,7 +57,8 @@ pub fn linearise(
     let mut motion = conditions.rhs();
     let by: (&mut dyn DifferentiableRhs, _) = (&mut motion, columns.as_slice());
     let unknowns = (global, local);
-    linearise_with(problem, observations, unknowns, samples, loss, by, None)
+    let accuracy = (loss, tolerance_of(problem, loss));
+    linearise_within(problem, observations, unknowns, samples, accuracy, by, None)
 }
 
 /// Tolerance, m, of the integration for residuals under `loss`. Residuals far above the initial noise, of a model that does
@@ -82,9 +83,36 @@ fn tolerance_of(problem: &FitProblem, loss: Loss<'_>) -> f64 {
 pub fn linearise_with(
     problem: &FitProblem,
     observations: &Observations,
-    (global, local): (&DVector<f64>, &DVector<f64>),
+    unknowns: (&DVector<f64>, &DVector<f64>),
     samples: usize,
     loss: Loss<'_>,
+    (motion, parameters): (&mut dyn DifferentiableRhs, &[ParamId]),
+    cache: Option<&mut Option<Vec<f64>>>,
+) -> Result<NormalBlock, FlightError> {
+    // Later calls may weight the trajectory in the cache by less noise.
+    let tolerance = match loss {
+        Loss::Huber(_) => tolerance_of(problem, loss),
+        Loss::Whitened(_) => problem.tolerance * problem.sigma0,
+    };
+    let (accuracy, by) = ((loss, tolerance), (motion, parameters));
+    linearise_within(
+        problem,
+        observations,
+        unknowns,
+        samples,
+        accuracy,
+        by,
+        cache,
+    )
+}
+
+/// [`linearise_with`] within a given tolerance, m.
+fn linearise_within(
+    problem: &FitProblem,
+    observations: &Observations,
+    (global, local): (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+    (loss, tolerance): (Loss<'_>, f64),
     (motion, parameters): (&mut dyn DifferentiableRhs, &[ParamId]),
     cache: Option<&mut Option<Vec<f64>>>,
 ) -> Result<NormalBlock, FlightError> {
@@ -96,7 +124,7 @@ pub fn linearise_with(
         global,
         local,
         samples,
-        tolerance: tolerance_of(problem, loss) * observations.tolerance_factor,
+        tolerance: tolerance * observations.tolerance_factor,
         with_outliers: matches!(loss, Loss::Huber(_)),
     };
     pass.each_point(motion, &columns, cache, |point| {
