@@ -291,6 +291,7 @@ pub fn report(flights: usize) -> FitReport {
         marker_distances: Vec::new(),
         lack_of_fit: None,
         doubts: Vec::new(),
+        far_constants: Vec::new(),
         doubt_of_summaries: None,
         contradicted: Vec::new(),
         excess: None,
