@@ -3,7 +3,7 @@
 mod change;
 mod smooth_motion;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub(crate) use change::{MIN_UPWARD_PART, first_change};
 use nalgebra::{UnitQuaternion, Vector3};
