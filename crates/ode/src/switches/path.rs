@@ -78,9 +78,7 @@ fn powers(method: Method, h: f64) -> [[f64; ROWS]; ROWS] {
         Method::Dop853 => {
             for k in 1..ROWS {
                 let before = weights[k - 1];
-                for power in 1..ROWS {
-                    weights[k][power] = before[power - 1];
-                }
+                weights[k][1..].copy_from_slice(&before[..ROWS - 1]);
                 // Each second factor is 1 - s.
                 if k % 2 == 0 {
                     weights[k] = std::array::from_fn(|power| before[power] - weights[k][power]);
