@@ -12,7 +12,9 @@ pub(super) fn sin_cos([low, high]: Interval) -> [Interval; 2] {
     // A maximum of the sine is a quarter turn, and of the cosine none, after a whole number of turns.
     let has_maximum = |turned: f64| {
         let next = ((low - turned) / TAU).ceil() * TAU + turned;
-        next <= high
+        // Unknown bounds have a maximum.
+        let is_beyond = next > high;
+        !is_beyond
     };
     let [at_low, at_high] = [low, high].map(|angle| {
         let (sine, cosine) = Real::sin_cos(angle);
