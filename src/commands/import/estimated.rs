@@ -47,15 +47,15 @@ pub fn estimated(
         let up = dataset::takes::up_of(&take, file, up)?;
         let turned = take.clone().with_z_up(up, options.left_handed);
         let found = dataset::takes::find_throws(&turned, &[], &ThrowOptions::default());
-        if !found.throws.is_empty() {
-            thrown.push((turned, found));
-        } else {
+        if found.throws.is_empty() {
             let why = found_otherwise(&take, file, &[], (up, options.left_handed));
             reasons.push(match why {
                 Some(error) if options.takes.len() == 1 => return Err(error.into()),
                 Some(error) => error.to_string(),
                 None => format!("{}: no throw", file.display()),
             });
+        } else {
+            thrown.push((turned, found));
         }
     }
     ensure!(
