@@ -106,14 +106,16 @@ pub fn synthesize(
     })
 }
 
-/// Imports recordings by the arguments of `hyzer import`, with known constants; also the recordings, with the files of the
-/// flights that were cut from each.
+/// Recordings, with the files of the flights that were cut from each.
+type Recordings = Vec<(PathBuf, Vec<String>)>;
+
+/// Imports recordings by the arguments of `hyzer import`, with known constants.
 #[pyfunction]
 pub fn import_takes(
     py: Python<'_>,
     arguments: Vec<OsString>,
     parameters: BTreeMap<String, f64>,
-) -> PyResult<(Dataset, Vec<(PathBuf, Vec<String>)>)> {
+) -> PyResult<(Dataset, Recordings)> {
     let made = work::run(py, None, move |_| hyzer::program::import_takes(&arguments))?;
     let mut made = made.map_err(|error| raise_or("InputError", error))?;
     if !parameters.is_empty() {
