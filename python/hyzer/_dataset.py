@@ -357,10 +357,10 @@ def _selected_of(
     """Return the flights held out, where a recording stands for the flights `cut` from it."""
     if isinstance(held_out, str):
         held_out = [held_out]
-    each: list[Any] = list(held_out) if isinstance(held_out, (list, tuple, set)) else []
+    each: list[Any] = list(held_out) if type(held_out) in (list, tuple, set) else []
     named = [item for item in each if isinstance(item, (str, Path)) and Path(item).name in cut]
     of_recordings = [file for item in named for file in cut[Path(item).name]]
-    rest = [item for item in each if item not in named] if named else held_out
+    rest: Any = [item for item in each if item not in named] if named else held_out
     return [*of_recordings, *selected(rest, files, "held_out")]
 
 

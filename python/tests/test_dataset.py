@@ -143,11 +143,12 @@ def test_flights_are_held_out_by_their_recording(tmp_path: Path) -> None:
 
 def test_where_no_recording_has_a_throw_each_tells_why(tmp_path: Path) -> None:
     (tmp_path / "one.csv").write_text("no recording\n")
-    shutil.copy("examples/disc/flight01.csv", tmp_path / "two.csv")
+    rows = [f"{t / 100},1.0,2.0,0.5" for t in range(100)]
+    (tmp_path / "two.csv").write_text("\n".join(["t,m_x,m_y,m_z", *rows]) + "\n")
     with pytest.raises(hyzer.InputError, match="found no throw") as raised:
-        hyzer.Dataset.import_takes(tmp_path, model="disc", length="m", time="s", up="+y")
-    assert "one.csv" in str(raised.value)
-    assert "two.csv: found no throw with +y up, and free flights with +z up" in str(raised.value)
+        hyzer.Dataset.import_takes(tmp_path, model="disc", length="m", time="s", up="+z")
+    assert "one.csv:1: found the first line" in str(raised.value)
+    assert "two.csv" in str(raised.value)
     with pytest.raises(hyzer.InputError) as raised:
         hyzer.Dataset.import_takes(tmp_path / "one.csv", model="disc", up="+z")
     assert raised.value.file == str(tmp_path / "one.csv")

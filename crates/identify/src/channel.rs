@@ -2,8 +2,6 @@
 
 use model_spec::compose::Instrument;
 
-use crate::noise::NoiseModel;
-use crate::rounding;
 use crate::summary_value::{SummaryValue, exact_deviation};
 use dataset::{Dataset, SensorKind};
 
@@ -72,16 +70,6 @@ impl Channel {
     /// Root mean square over the axes of the standard deviations of the rounding errors, in `unit`.
     pub(crate) fn overall_rounding(&self) -> f64 {
         (self.rounding.iter().map(|own| own * own).sum::<f64>() / 3.0).sqrt()
-    }
-
-    /// Whether what a fit with this noise leaves of the channel is the error of rounding, which is neither random nor a
-    /// lack of the model.
-    pub(crate) fn shows_rounding(&self, noise: &NoiseModel) -> bool {
-        let sigma = noise.groups()[self.group].sigma;
-        let mut axes = sigma.into_iter().zip(self.rounding);
-        let is_below =
-            |(sigma, rounding): (f64, f64)| sigma < rounding::RANDOM * rounding * self.scale;
-        self.repeats && axes.any(is_below)
     }
 
     /// Whether the channel measures the position of a point, m.

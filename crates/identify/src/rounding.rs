@@ -3,6 +3,7 @@
 
 use crate::channel::{Channel, ChannelKind};
 use crate::levels::MIN_SERIES;
+use crate::noise::NoiseModel;
 use dataset::Dataset;
 
 /// Remainder of an exact division, in units of the largest value: printed numbers have seven digits or more, and the
@@ -14,7 +15,7 @@ const LEAST_STEP: f64 = 100.0 * EXACT;
 
 /// Ratio of the noise to that of rounding from which rounding errors are random, as the noise beside them is half a step
 /// or more (B. Widrow and I. Kollár, "Quantization Noise", 2008): √(1/4 + 1/12)·√12.
-pub const RANDOM: f64 = 2.0;
+const RANDOM: f64 = 2.0;
 
 /// Sets the rounding of the channels of positions and instruments, markers first, from all flights.
 pub fn set(channels: &mut [Channel], dataset: &Dataset) {
@@ -48,6 +49,17 @@ pub fn set(channels: &mut [Channel], dataset: &Dataset) {
             });
             2 * same > all
         });
+    }
+}
+
+impl Channel {
+    /// Whether what a fit with this noise leaves of the channel is the error of rounding, which is neither random nor a
+    /// lack of the model.
+    pub(crate) fn shows_rounding(&self, noise: &NoiseModel) -> bool {
+        let sigma = noise.groups()[self.group].sigma;
+        let mut axes = sigma.into_iter().zip(self.rounding);
+        let is_below = |(sigma, rounding): (f64, f64)| sigma < RANDOM * rounding * self.scale;
+        self.repeats && axes.any(is_below)
     }
 }
 

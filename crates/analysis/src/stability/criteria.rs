@@ -26,7 +26,7 @@
 
 use nalgebra::{Complex, DMatrix, Vector3};
 
-use crate::stability::linearise::Linearised;
+use crate::stability::linearise::{Linearised, any_normal};
 use crate::stability::modes::{NEUTRAL, ROUNDING};
 
 /// Direction in which a body flies relative to its third axis.
@@ -231,9 +231,4 @@ impl Criteria {
     pub fn is_stable(&self) -> bool {
         self.gyroscopic && self.slow && self.wobble
     }
-}
-
-/// A unit vector normal to the unit vector `n`.
-pub(super) fn any_normal(n: Vector3<f64>) -> Vector3<f64> {
-    n.cross(&Vector3::ith(n.iamin(), 1.0)).normalize()
 }

@@ -11,7 +11,6 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
 
-use super::criteria::any_normal;
 use super::state_space::StateSpace;
 
 /// Time step of the sixth-order central differences along a flight, s.
@@ -255,4 +254,9 @@ impl BoundBody<'_> {
     pub fn bound(&self) -> &BoundModel<'_> {
         &self.bound
     }
+}
+
+/// A unit vector normal to the unit vector `n`.
+pub(super) fn any_normal(n: Vector3<f64>) -> Vector3<f64> {
+    n.cross(&Vector3::ith(n.iamin(), 1.0)).normalize()
 }

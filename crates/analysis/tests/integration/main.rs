@@ -9,4 +9,5 @@ mod support;
 #[cfg(feature = "sweep")]
 mod sweep_wind;
 mod tasks;
+mod three_moments;
 mod wind;
