@@ -301,8 +301,7 @@ class Dataset:
             raise InputError("takes: found none, expected the paths of recordings")
         constants = numbers(parameters, "parameters")
         made, recordings = _hyzer.import_takes([*arguments, "--", *files], constants)
-        cut = {path.name: flights for path, flights in recordings}
-        apart = _selected_of(cut, held_out, {file: file for file in made.files})
+        apart = _selected_of(recordings, held_out, {file: file for file in made.files})
         text, tables, _, folder, about = made.held_out(apart).parts()
         if name is None:
             first = Path(files[0]).absolute()
@@ -352,16 +351,26 @@ def dataset_of(data: str | os.PathLike[str] | Dataset) -> _hyzer.Dataset:
 
 
 def _selected_of(
-    cut: Mapping[str, list[str]], held_out: Any, files: Mapping[Any, str]
+    recordings: Sequence[tuple[Path, list[str]]], held_out: Any, files: Mapping[Any, str]
 ) -> list[str]:
-    """Return the flights held out, where a recording stands for the flights `cut` from it."""
-    if isinstance(held_out, str):
-        held_out = [held_out]
-    each: list[Any] = list(held_out) if type(held_out) in (list, tuple, set) else []
-    named = [item for item in each if isinstance(item, (str, Path)) and Path(item).name in cut]
-    of_recordings = [file for item in named for file in cut[Path(item).name]]
-    rest: Any = [item for item in each if item not in named] if named else held_out
-    return [*of_recordings, *selected(rest, files, "held_out")]
+    """Return the flights held out, where a recording, by path or name, stands for its flights."""
+
+    def of(item: Any) -> list[str]:
+        if not isinstance(item, (str, Path)):
+            return []
+        return [
+            file
+            for path, flights in recordings
+            if Path(item) in (path, Path(path.name))
+            for file in flights
+        ]
+
+    several = type(held_out) in (list, tuple, set)
+    each: list[Any] = list(held_out) if several else [held_out]
+    rest: Any = [item for item in each if not of(item)]
+    # A mask, or an array of flights, is read as a whole.
+    rest = rest if several or not rest else held_out
+    return [*(file for item in each for file in of(item)), *selected(rest, files, "held_out")]
 
 
 def _of_parts(*parts: Any) -> Dataset:

@@ -141,6 +141,24 @@ def test_flights_are_held_out_by_their_recording(tmp_path: Path) -> None:
     assert [flight.role for flight in hyzer.fit(data).flights] == ["fit", "held_out", "fit"]
 
 
+def test_recordings_of_one_name_are_held_out_together_or_by_path(tmp_path: Path) -> None:
+    for day, source in [("monday", "flight01"), ("friday", "flight02")]:
+        (tmp_path / day).mkdir()
+        shutil.copy(f"examples/disc/{source}.csv", tmp_path / day / "throw.csv")
+    days = [tmp_path / "monday", tmp_path / "friday"]
+    options = {"length": "m", "time": "s", "up": "+z", "markers": "examples/disc/dataset.toml"}
+    for number, (held_out, count) in enumerate(
+        [
+            ("throw.csv", 2),
+            (days[1] / "throw.csv", 1),
+            ([str(days[0] / "throw.csv"), 1], 2),
+        ]
+    ):
+        saved = tmp_path / str(number)
+        hyzer.Dataset.import_takes(days, **options, held_out=held_out).save(saved)
+        assert (saved / "dataset.toml").read_text().count("held-out") == count
+
+
 def test_where_no_recording_has_a_throw_each_tells_why(tmp_path: Path) -> None:
     (tmp_path / "one.csv").write_text("no recording\n")
     rows = [f"{t / 100},1.0,2.0,0.5" for t in range(100)]

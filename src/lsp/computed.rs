@@ -1,4 +1,4 @@
-//! What the compiled code tells while somebody types: operations for each quantity, and checks that fail.
+//! What an editor shows of the compiled code: operations for each quantity, and checks that fail.
 
 use codegen::check_cases;
 use codegen::compile::compile_every_value;

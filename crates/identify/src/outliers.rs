@@ -176,7 +176,7 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
 }
 
 /// Flags the outliers of a flight by its residuals, indexed as [`Observations::outlier`]. `group_of` is the noise group
-/// of each channel, `rounding` that of the rounding of each group.
+/// of each channel, `rounding` has the standard deviations of the rounding errors of each group.
 pub fn outlier_mask(
     times: &[f64],
     residuals: &Residuals,

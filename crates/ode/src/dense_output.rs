@@ -18,6 +18,21 @@ pub(crate) struct DenseOutput<'a> {
     pub projection: Option<&'a dyn Project>,
 }
 
+impl<'a> DenseOutput<'a> {
+    /// Dense output of the step from `t` to `t + h`, not projected; `rows` are the coefficient vectors one after the other.
+    #[inline]
+    pub(crate) fn of_rows(method: Method, (t, h): (f64, f64), rows: &'a [f64]) -> Self {
+        let n = rows.len() / ROWS;
+        DenseOutput {
+            method,
+            t,
+            h,
+            rows: std::array::from_fn(|k| &rows[k * n..][..n]),
+            projection: None,
+        }
+    }
+}
+
 impl DenseOutput<'_> {
     #[inline]
     pub(crate) fn state(&self, s: f64, to: &mut [f64]) {

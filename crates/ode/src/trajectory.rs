@@ -55,14 +55,11 @@ impl Trajectory {
 
     /// Dense output of the step with this index.
     fn step(&self, index: usize) -> DenseOutput<'_> {
-        let (t, h) = self.steps[index];
-        let rows = &self.rows[index * ROWS * self.states..];
+        let length = ROWS * self.states;
+        let rows = &self.rows[index * length..][..length];
         DenseOutput {
-            method: self.method,
-            t,
-            h,
-            rows: std::array::from_fn(|row| &rows[row * self.states..][..self.states]),
             projection: self.projection.as_deref(),
+            ..DenseOutput::of_rows(self.method, self.steps[index], rows)
         }
     }
 

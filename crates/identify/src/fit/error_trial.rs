@@ -19,7 +19,7 @@ const TRIED_ERRORS: (f64, usize) = (2.0, 2);
 /// Rises of the deviance at [`TRIED_ERRORS`] standard errors with which a standard error holds within a factor of two.
 const RISES: std::ops::Range<f64> = 1.0..16.0;
 
-/// Criteria of the fit that gives a rise, which is told to a tenth.
+/// Criteria of the fit that gives a rise, which is reported to a tenth.
 const RISE: StoppingCriteria = StoppingCriteria {
     ftol_abs: 0.1,
     ..StoppingCriteria::CONVERGED

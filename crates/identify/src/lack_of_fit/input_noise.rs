@@ -63,11 +63,15 @@ impl InputNoise {
                     noisy.push((*flight, sigma));
                 }
             }
-            let drawn = |draw: u64| Sums::of_draw(fit, &noisy, noise, (name, SEED + draw));
-            let effect = drawn(0)?.rms().0;
+            let drawn = |draw: u64| {
+                let sums = Sums::of_draw(fit, &noisy, noise, (name, SEED + draw));
+                sums.map(|sums| sums.rms())
+            };
+            let (effect, residual) = drawn(0)?;
             let may_be_noise = |(effect, residual): (f64, f64)| effect < NOT_NOISE * residual;
             let matters = effect > NEGLIGIBLE
-                && (0..DRAWS).any(|draw| drawn(draw).is_some_and(|sums| may_be_noise(sums.rms())));
+                && (may_be_noise((effect, residual))
+                    || (1..DRAWS).any(|draw| drawn(draw).is_some_and(may_be_noise)));
             matters.then(|| Self {
                 input: name.clone(),
                 sigma: median(&mut sigmas),

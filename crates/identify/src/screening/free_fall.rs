@@ -185,7 +185,7 @@ impl<'a> FreeFall<'a> {
             let mut near = UNITS[..4].iter().copied();
             near.find(|(length, _)| (ratio * length).ln().abs() < 0.2)
         });
-        let told = match (length, confused(ratio)) {
+        let named = match (length, confused(ratio)) {
             (Some((length, name)), _) => Some((
                 format!("{detail}, as if positions were in {name}"),
                 correction("the positions", length),
@@ -196,7 +196,7 @@ impl<'a> FreeFall<'a> {
             )),
             (None, None) => None,
         };
-        if let (Some((detail, correction)), false) = (told, self.template_gives_lengths())
+        if let (Some((detail, correction)), false) = (named, self.template_gives_lengths())
             && self.drag_suggests_lengths(ratio, free) != Some(false)
         {
             return (FaultKind::Units, detail, correction);

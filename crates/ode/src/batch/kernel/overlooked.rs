@@ -106,14 +106,8 @@ impl<T: Lanes> Flying<'_, T> {
     /// Cells of the step of one lane, whose dense output is known.
     #[inline(always)]
     fn cells(&mut self, lane: usize) -> Vec<Cell> {
-        let n = self.stages.n;
-        let step = DenseOutput {
-            method: self.tableau.method,
-            t: self.control.t[lane],
-            h: self.control.h[lane],
-            rows: std::array::from_fn(|k| &self.rows[k * n..][..n]),
-            projection: None,
-        };
+        let span = (self.control.t[lane], self.control.h[lane]);
+        let step = DenseOutput::of_rows(self.tableau.method, span, &self.rows);
         let mut arguments = InLane {
             rhs: self.rhs,
             values: &self.values,
@@ -135,13 +129,8 @@ impl<T: Lanes> Flying<'_, T> {
         self.fill_rows(lane, h);
         let n = self.stages.n;
         for Cell { middle: s, width } in self.cells(lane) {
-            let step = DenseOutput {
-                method: self.tableau.method,
-                t: self.control.t[lane],
-                h: self.control.h[lane],
-                rows: std::array::from_fn(|k| &self.rows[k * n..][..n]),
-                projection: None,
-            };
+            let span = (self.control.t[lane], self.control.h[lane]);
+            let step = DenseOutput::of_rows(self.tableau.method, span, &self.rows);
             let (t, h) = (step.t + s * step.h, step.h);
             step.state(s, &mut self.state);
             for i in 0..n {

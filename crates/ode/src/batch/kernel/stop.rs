@@ -162,14 +162,8 @@ impl<T: Lanes> Flying<'_, T> {
             return None;
         }
         self.fill_rows(lane, h);
-        let n = self.within.len();
-        let step = DenseOutput {
-            method: self.tableau.method,
-            t: self.control.t[lane],
-            h: self.control.h[lane],
-            rows: std::array::from_fn(|k| &self.rows[k * n..][..n]),
-            projection: None,
-        };
+        let span = (self.control.t[lane], self.control.h[lane]);
+        let step = DenseOutput::of_rows(self.tableau.method, span, &self.rows);
         let (state, margins) = (&mut self.state, &mut self.margins[2]);
         let value = |s: f64| {
             step.state(s, state);
