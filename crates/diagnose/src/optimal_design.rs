@@ -110,6 +110,8 @@ fn simulated(
         parameters,
         known_states: Vec::new(),
         stand_ins: Vec::new(),
+        // That of `like` bounds the error along its own path.
+        tolerance_factor: 1.0,
         ..like.clone()
     };
     let axes = problem.model.flight_axes();

@@ -15,6 +15,7 @@ use nalgebra::{DVector, Vector3};
 
 use self::jump::{Jump, free_motion, jumps};
 use self::trajectory::Trajectory;
+use crate::ground_contact::MIN_UPWARD_PART;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
@@ -41,12 +42,26 @@ const MAX_OUTLIERS: usize = 12;
 /// Maximum error of the distance of two markers, in units of the noise of a coordinate.
 const DISTANCE: f64 = 6.0;
 
+/// Least part of the descent that a touch of the ground stops. Where an edge or a tip touches, its descent is stopped,
+/// and that of the mass centre by the part `1/(1 + m r²/I)`: a fifth for a disc, a quarter for a rod.
+const MIN_STOPPED_PART: f64 = 0.05;
+
 /// A contact of the body with the ground or another object, found as a velocity jump.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Onset {
     pub sample: usize,
+    /// Mean velocity of the markers before the contact, m/s.
+    pub velocity: Vector3<f64>,
     /// Jump of the mean velocity of the markers at the contact, m/s.
     pub jump: Vector3<f64>,
+}
+
+impl Onset {
+    /// Whether the jump is one at the ground: upward, of a body that descends, whose descent it stops in part.
+    pub fn is_impact(&self) -> bool {
+        let least = (MIN_UPWARD_PART * self.jump.norm()).max(-MIN_STOPPED_PART * self.velocity.z);
+        self.velocity.z < 0.0 && self.jump.z > least
+    }
 }
 
 /// Finds the first contact within the range `sought` of samples, as a deviation from free flights near the one from
@@ -75,10 +90,8 @@ pub fn contact_time(
         match departure(&tests, tried.clone(), is_seen)? {
             Departure::Contact(found) => {
                 // A deviation that grows earlier was part of the fit: it is the misfit of a wrong model.
-                return (found.contact + MAX_LEAD >= sought.start).then(|| Onset {
-                    sample: found.contact,
-                    jump: jump_of_velocity(trajectory, &observations, found),
-                });
+                return (found.contact + MAX_LEAD >= sought.start)
+                    .then(|| onset(trajectory, &observations, found));
             }
             Departure::Outlier(sample) => {
                 let (before, after) = rows.split_at(sample - trajectory.first);
@@ -134,16 +147,17 @@ fn departure(
     None
 }
 
-/// Jump of the mean velocity of the markers, m/s, computed from the change of the initial state in `found`.
-fn jump_of_velocity(
-    trajectory: &Trajectory,
-    observations: &Observations,
-    found: &Jump,
-) -> Vector3<f64> {
+/// The contact `found`, with the mean velocities of the markers over the interval in which it happens.
+fn onset(trajectory: &Trajectory, observations: &Observations, found: &Jump) -> Onset {
     let (first, last) = (found.contact - 1, found.contact);
+    let duration = observations.times[last] - observations.times[first];
     let moved =
         |sample: usize| Vector3::from((trajectory.centre(sample) * &found.change).column(0));
-    (moved(last) - moved(first)) / (observations.times[last] - observations.times[first])
+    Onset {
+        sample: found.contact,
+        velocity: (trajectory.position(last) - trajectory.position(first)) / duration,
+        jump: (moved(last) - moved(first)) / duration,
+    }
 }
 
 /// Marks the marker positions whose distances from most other markers in the sample differ from the predicted ones.

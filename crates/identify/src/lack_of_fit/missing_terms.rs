@@ -4,6 +4,8 @@
 //!
 //! The fit takes whatever constants absorb best, so that residuals alone may pass as noise while estimates are far off.
 
+use std::f64::consts::PI;
+
 use flight::parallel;
 use model_spec::model::Shape;
 use nalgebra::{DMatrix, DVector};
@@ -32,6 +34,9 @@ const MAX_QUANTITIES: usize = 20;
 /// Part of a term's information beyond that of the constants, below which it is not tested: the terms are integrated by
 /// the trapezoidal rule, the constants are not.
 const MIN_TOLERANCE: f64 = 1e-4;
+
+/// Least and greatest p-value that is combined with others: one of 0 or 1 alone would decide.
+const P_VALUES: (f64, f64) = (1e-150, 0.99);
 
 /// A flight without its local parameters.
 struct Reduced {
@@ -74,23 +79,27 @@ impl MissingTerm {
             let target = targets[test / functions];
             test.is_multiple_of(functions) && matches!(target, Target::Coefficient(_))
         };
-        Ok(most_significant(fit, &reduced, is_constant).map(|found| {
+        let scores = scores(fit, &reduced, is_constant).unwrap_or_default();
+        let largest = scores.iter().max_by(|a, b| a.1.total_cmp(&b.1));
+        Ok(largest.map(|&(test, _)| {
             let count: usize = reduced.iter().map(|flight| flight.count).sum();
             let by_integration = RESIDUAL_TOLERANCE * problem.sigma0 / fit.noise().overall();
-            let score = found.chi2.sqrt() / by_integration.max(1.0);
-            let p_value =
-                StudentsT::new(0.0, 1.0, count as f64).map_or(1.0, |by| 2.0 * by.sf(score));
-            let follows = (found.test % functions).checked_sub(1);
+            let by = StudentsT::new(0.0, 1.0, count as f64);
+            let p_values = scores.iter().map(|(_, chi2)| {
+                let score = chi2.sqrt() / by_integration.max(1.0);
+                by.map_or(1.0, |by| 2.0 * by.sf(score))
+            });
+            let follows = (test % functions).checked_sub(1);
             Self {
-                target: match targets[found.test / functions] {
+                target: match targets[test / functions] {
                     Target::Coefficient(id) => problem.globals[id.index()].name.clone(),
                     Target::Rate(state) => {
                         format!("der({})", problem.model.states[state.index()].name)
                     }
                 },
                 changes_with: follows.map(|index| quantities[index].name.clone()),
-                tests: found.tests,
-                p_value: (found.tests as f64 * p_value).min(1.0),
+                tests: scores.len(),
+                p_value: combined_p_value(p_values),
             }
         }))
     }
@@ -130,18 +139,12 @@ fn reduce(
     }))
 }
 
-/// The largest score of a term, its number, and how many were tested.
-struct Found {
-    chi2: f64,
-    test: usize,
-    tests: usize,
-}
-
-fn most_significant(
+/// The terms that can be tested, with χ² of the score test of each; `None` if the flights do not determine the constants.
+fn scores(
     fit: &Fit,
     flights: &[Reduced],
     is_constant: impl Fn(usize) -> bool,
-) -> Option<Found> {
+) -> Option<Vec<(usize, f64)>> {
     let (first, others) = flights.split_first()?;
     let (mut constants, mut gradient) = (first.constants.clone(), first.gradient.clone());
     let mut tested = first.tested.clone();
@@ -155,24 +158,24 @@ fn most_significant(
     let constraints = fit.problem().globals.iter().map(|own| &own.constraint);
     add_priors((&mut constants, &mut gradient), fit.global(), constraints);
     let through = pseudo_inverse(&constants)? * &tested.by_global;
-    let mut found = Found {
-        chi2: 0.0,
-        test: 0,
-        tests: 0,
-    };
-    for (test, &information) in tested.information.iter().enumerate() {
+    let each = tested.information.iter().enumerate();
+    let scores = each.filter_map(|(test, &information)| {
         let through = through.column(test);
         let left = information - through.dot(&tested.by_global.column(test));
-        if is_constant(test) || left.is_nan() || left <= MIN_TOLERANCE * information {
-            continue;
-        }
-        found.tests += 1;
+        let is_tested = !is_constant(test) && left > MIN_TOLERANCE * information;
         let chi2 = (tested.score[test] - through.dot(&gradient)).powi(2) / left;
-        if chi2 > found.chi2 {
-            (found.chi2, found.test) = (chi2, test);
-        }
-    }
-    (found.tests > 0).then_some(found)
+        is_tested.then_some((test, chi2))
+    });
+    Some(scores.collect())
+}
+
+/// p-value of all tests together, however they depend on each other: the mean of the Cauchy variates of their p-values has
+/// nearly the distribution of one in its tail (Y. Liu and J. Xie, "Cauchy combination test", Journal of the American
+/// Statistical Association 115, 2020). Equal tests count as one, where Bonferroni's correction would count each.
+fn combined_p_value(p_values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = p_values.len() as f64;
+    let variates = p_values.map(|p| 1.0 / (PI * p.clamp(P_VALUES.0, P_VALUES.1)).tan());
+    (count / variates.sum::<f64>()).atan().rem_euclid(PI) / PI
 }
 
 /// The time, the model's scalar quantities and its states, as far as they vary and differ from each other.
@@ -229,4 +232,40 @@ fn is_same(one: &Quantity, other: &[Vec<f64>]) -> bool {
     let pairs = || one.values.iter().flatten().zip(other.iter().flatten());
     let sum = |of: fn(f64, f64) -> f64| pairs().map(|(a, b)| of(*a, *b)).sum::<f64>();
     sum(|a, b| a * b).abs() > SAME * (sum(|a, _| a * a) * sum(|_, b| b * b)).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::combined_p_value;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha12Rng;
+    use rand_distr::StandardNormal;
+    use statrs::distribution::{ContinuousCDF, Normal};
+
+    #[test]
+    fn tests_together_have_their_level_however_they_depend_on_each_other() {
+        let mut random = ChaCha12Rng::seed_from_u64(1);
+        let by = Normal::standard();
+        for common in [0.0f64, 0.5, 0.95] {
+            let draws = 20_000;
+            let is_significant = |_: &usize| {
+                let shared: f64 = random.sample(StandardNormal);
+                let p_values: Vec<f64> = (0..30)
+                    .map(|_| {
+                        let own: f64 = random.sample(StandardNormal);
+                        let score = common.sqrt() * shared + (1.0 - common).sqrt() * own;
+                        2.0 * by.sf(score.abs())
+                    })
+                    .collect();
+                combined_p_value(p_values.into_iter()) < 0.01
+            };
+            let rate = (0..draws).filter(is_significant).count() as f64 / draws as f64;
+            assert!(
+                (0.007..0.016).contains(&rate),
+                "correlation {common}: {rate}"
+            );
+        }
+        assert!((combined_p_value([0.02; 7].into_iter()) - 0.02).abs() < 1e-12);
+        assert!(combined_p_value([0.0, 1.0].into_iter()) < 1e-100);
+    }
 }

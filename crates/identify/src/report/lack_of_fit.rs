@@ -77,7 +77,7 @@ pub struct MissingTerm {
     pub changes_with: Option<String>,
     /// Number of terms that were tested.
     pub tests: usize,
-    /// Familywise p-value of the score test.
+    /// p-value of all score tests together.
     pub p_value: f64,
 }
 
