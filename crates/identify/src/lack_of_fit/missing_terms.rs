@@ -31,9 +31,8 @@ const SAME: f64 = 0.98;
 /// Maximum number of quantities.
 const MAX_QUANTITIES: usize = 20;
 
-/// Part of a term's information beyond that of the constants, below which it is not tested: the terms are integrated by
-/// the trapezoidal rule, the constants are not.
-const MIN_TOLERANCE: f64 = 1e-4;
+/// Part of a term's information beyond that of the constants, below which it is not tested: rounding would decide.
+const MIN_TOLERANCE: f64 = 1e-6;
 
 /// Least and greatest p-value that is combined with others: one of 0 or 1 alone would decide.
 const P_VALUES: (f64, f64) = (1e-150, 0.99);

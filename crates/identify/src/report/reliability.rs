@@ -13,8 +13,9 @@ const NOISE_LIMIT: f64 = 5.0;
 /// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
-/// p-value below which a fit is not reliable: of the lack-of-fit test, and familywise of the tests of missing terms.
-pub(crate) const LACK_OF_FIT_LEVEL: f64 = 0.01;
+/// p-value below which a fit is not reliable, of the lack-of-fit test and of the tests of missing terms: one of two is
+/// below it in a hundredth of right fits.
+pub(crate) const LACK_OF_FIT_LEVEL: f64 = 0.005;
 
 /// Difference of a prior from what the data alone give, in standard deviations, above which they contradict it.
 pub const MAX_PRIOR_CONFLICT: f64 = 3.0;
