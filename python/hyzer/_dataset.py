@@ -145,6 +145,9 @@ class Dataset:
         """
         tables, files = named(flights)
         texts = {file: text_of(file, frame) for file, frame in tables.items()}
+        if not markers and not sensors:
+            columns = dict.fromkeys(str(c) for frame in tables.values() for c in frame.columns)
+            raise _nothing_measured(c[:-2] for c in columns if c.endswith("_x"))
         of_inputs: dict[Any, str] = {}
         of_flights = mapping(inputs, "inputs")
         for number, (flight, frame) in enumerate(of_flights.items(), start=1):
@@ -211,11 +214,14 @@ class Dataset:
         model, name = options.pop("model", "disc"), options.pop("name", "flights")
         if options:
             raise TypeError(f"from_arrays() has no argument {', '.join(options)}")
+        is_one = isinstance(flights, Mapping) and "t" in flights
+        tables, files = named([flights] if is_one else flights)
+        if not markers and not sensors:
+            names = dict.fromkeys(str(key) for flight in tables.values() for key in flight)
+            raise _nothing_measured(name for name in names if name != "t")
         kinds = dict.fromkeys(mapping(markers, "markers"), "marker")
         of_sensors = mapping(sensors, "sensors")
         kinds |= {sensor: str(about.get("kind")) for sensor, about in of_sensors.items()}
-        is_one = isinstance(flights, Mapping) and "t" in flights
-        tables, files = named([flights] if is_one else flights)
         texts = {file: table(file, flight, kinds) for file, flight in tables.items()}
         text = manifest(files, model, markers, sensors, **about)
         return cls(_hyzer.Dataset(text, texts, name))
@@ -347,7 +353,21 @@ class Dataset:
 
 def dataset_of(data: str | os.PathLike[str] | Dataset) -> _hyzer.Dataset:
     """Return a dataset given by its folder or as an object."""
-    return (data if isinstance(data, Dataset) else Dataset.read(data)).native
+    if isinstance(data, Dataset):
+        return data.native
+    if not isinstance(data, (str, os.PathLike)):
+        found = type(data).__name__
+        raise TypeError(f"data: found {found}, expected a folder or a Dataset")
+    return Dataset.read(data).native
+
+
+def _nothing_measured(names: Iterable[str]) -> InputError:
+    """Return the error that no marker and no sensor is stated; `names` are those of the tables."""
+    example = ", ".join(f"{name!r}: (0, 0, 0)" for name in names) or "'m1': (0, 0, 0)"
+    return InputError(
+        "markers: found none, and no sensors; expected what was measured. For markers, their "
+        f"positions in the body frame, m: markers={{{example}}}"
+    )
 
 
 def _selected_of(

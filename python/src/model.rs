@@ -56,7 +56,8 @@ impl Model {
         effects: &[String],
         parameters: Option<&Bound<'_, PyMapping>>,
     ) -> PyResult<Model> {
-        let tree = match source.contains('\n') {
+        // No name and hardly a path has these.
+        let tree = match source.contains(['\n', ';']) {
             true => ModelTree::parse("<text>", &source),
             false => ModelTree::load(&source),
         };

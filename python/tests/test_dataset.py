@@ -324,3 +324,14 @@ def test_a_spin_that_is_unknown_is_estimated_in_each_flight() -> None:
     found = hyzer.fit(data, ball)
     lift = found.to_dict()["coefficients"]["C_Lw"]
     assert abs(lift["value"] - 0.9) < 5 * lift["std_error"] < 0.1
+
+
+def test_tables_without_markers_are_answered_with_what_their_columns_may_be() -> None:
+    frame = hyzer.Dataset.read("examples/ball").to_pandas()["flight01.csv"]
+    with pytest.raises(hyzer.InputError, match=r"markers=\{'centre': \(0, 0, 0\)\}"):
+        hyzer.Dataset.from_pandas(frame)
+    arrays = {"t": np.arange(9) / 100, "seen": np.zeros((9, 3))}
+    with pytest.raises(hyzer.InputError, match=r"markers=\{'seen': \(0, 0, 0\)\}"):
+        hyzer.Dataset.from_arrays([arrays])
+    with pytest.raises(TypeError, match="found list, expected a folder or a Dataset"):
+        hyzer.fit([frame])

@@ -135,6 +135,9 @@ def test_faults_of_a_text_have_message_place_and_hint() -> None:
     assert "C_L" in error.hint
     assert error.faults[0]["line"] == line
     assert isinstance(error, ValueError)
+    with pytest.raises(hyzer.ModelError) as raised:
+        hyzer.Model("model one_line; param m = 1 kg")
+    assert raised.value.file == "<text>"
 
 
 def test_a_model_is_checked_as_the_program_does() -> None:
