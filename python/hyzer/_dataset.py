@@ -351,7 +351,7 @@ class Dataset:
         return f"<Dataset {name}{len(self)} flights of {self.model}>"
 
 
-def dataset_of(data: str | os.PathLike[str] | Dataset) -> _hyzer.Dataset:
+def dataset_of(data: Any) -> _hyzer.Dataset:
     """Return a dataset given by its folder or as an object."""
     if isinstance(data, Dataset):
         return data.native

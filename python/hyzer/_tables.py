@@ -100,6 +100,13 @@ def manifest(
 
     `files` are those of the flights by their keys, `inputs` those of the inputs over time.
     """
+    is_path = isinstance(model, os.PathLike) or (type(model) is str and ";" not in model)
+    if not is_path:
+        found = "the text of a model" if isinstance(model, str) else f"a {type(model).__name__}"
+        raise InputError(
+            f"model: found {found}, expected a name or a path, as a dataset is stored with it; "
+            "fits and diagnoses take a text or a Model: hyzer.fit(data, model=...)"
+        )
     parts = [f"model = {_toml.text(os.fspath(model))}\n"]
     of_flights: dict[Any, list[str]] = {}
     if isinstance(unknown, Mapping):

@@ -335,3 +335,12 @@ def test_tables_without_markers_are_answered_with_what_their_columns_may_be() ->
         hyzer.Dataset.from_arrays([arrays])
     with pytest.raises(TypeError, match="found list, expected a folder or a Dataset"):
         hyzer.fit([frame])
+
+
+def test_a_dataset_names_its_model() -> None:
+    frame = hyzer.Dataset.read("examples/ball").to_pandas()["flight01.csv"]
+    model = hyzer.Model("ball")
+    wrong: Any
+    for wrong, found in [(model, "a Model"), (model.text, "the text of a model")]:
+        with pytest.raises(hyzer.InputError, match=f"model: found {found}"):
+            hyzer.Dataset.from_pandas(frame, markers={"centre": (0, 0, 0)}, model=wrong)
