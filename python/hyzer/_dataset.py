@@ -351,14 +351,16 @@ class Dataset:
         return f"<Dataset {name}{len(self)} flights of {self.model}>"
 
 
-def dataset_of(data: Any) -> _hyzer.Dataset:
+def dataset_of(data: str | os.PathLike[str] | Dataset) -> _hyzer.Dataset:
     """Return a dataset given by its folder or as an object."""
     if isinstance(data, Dataset):
         return data.native
-    if not isinstance(data, (str, os.PathLike)):
+    try:
+        folder: str = os.fspath(data)
+    except TypeError:
         found = type(data).__name__
-        raise TypeError(f"data: found {found}, expected a folder or a Dataset")
-    return Dataset.read(data).native
+        raise TypeError(f"data: found {found}, expected a folder or a Dataset") from None
+    return Dataset.read(folder).native
 
 
 def _nothing_measured(names: Iterable[str]) -> InputError:
