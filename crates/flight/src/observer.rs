@@ -102,8 +102,9 @@ impl ModelObserver<'_> {
             .functions()
             .limits(at, &mut self.workspace, &mut values);
         let mut limits = limits.iter().zip(values);
-        // Not above its bound is a value that is not a number, too.
-        let ((_, reason), _) = limits.find(|((bound, _), value)| !(value > bound))?;
+        // A value that is not a number is not above its bound.
+        let is_passed = |value: f64, bound: f64| value.is_nan() || value <= bound;
+        let ((_, reason), _) = limits.find(|((bound, _), value)| is_passed(*value, *bound))?;
         Some(reason.as_str())
     }
 }

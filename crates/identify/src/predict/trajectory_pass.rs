@@ -301,7 +301,7 @@ mod tests {
             };
             beyond_limit(&problem, &conditions, error).to_string()
         };
-        assert!(told(1.5707).contains("the plane of the disc stands vertical"));
+        assert!(told(1.568).contains("the plane of the disc stands vertical"));
         assert!(told(0.1).contains("7 steps"));
     }
 }

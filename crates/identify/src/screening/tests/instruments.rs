@@ -209,7 +209,8 @@ fn axes_of_instruments_beside_poses_are_named() {
 fn a_turned_accelerometer_beside_a_gyroscope_alone_is_named() {
     const PLACE: [f64; 3] = [0.02, 0.01, 0.005];
     let (model, _) = calm_disc(1);
-    let told = |turn: fn([f64; 3]) -> [f64; 3]| {
+    type Turn = fn([f64; 3]) -> [f64; 3];
+    let told = |turn: Turn| {
         let mut dataset = recorded(false, |own| {
             let rate = Vector3::from(own.rate);
             let lever = rate.cross(&rate.cross(&Vector3::from(PLACE)));
@@ -220,7 +221,7 @@ fn a_turned_accelerometer_beside_a_gyroscope_alone_is_named() {
         faults.first().map(|own| own.correction.clone())
     };
     assert_eq!(told(|own| own), None);
-    let cases: [(fn([f64; 3]) -> [f64; 3], &str); 3] = [
+    let cases: [(Turn, &str); 3] = [
         (|[x, y, z]| [y, -x, z], "[\"-y\", \"+x\", \"+z\"]"),
         (|[x, y, z]| [x, z, -y], "[\"+x\", \"-z\", \"+y\"]"),
         (|[x, y, z]| [-x, -y, z], "[\"-x\", \"-y\", \"+z\"]"),
