@@ -90,16 +90,21 @@ impl ModelObserver<'_> {
 
     /// Whether the state is within the model's limits: every limited quantity is above its bound.
     pub fn is_within_limits(&mut self, t: f64, x: &[f64]) -> bool {
+        self.passed_limit(t, x).is_none()
+    }
+
+    /// Reason of the first limit of the model's validity that the state has reached; `None` within all of them.
+    pub fn passed_limit(&mut self, t: f64, x: &[f64]) -> Option<&str> {
         let at = self.model.at(t, x, &mut self.parameters);
         let limits = &self.model.model.limits;
         let mut values = vec![0.0; limits.len()];
         self.model
             .functions()
             .limits(at, &mut self.workspace, &mut values);
-        let bounds = limits.iter().map(|(bound, _)| bound);
-        values
-            .iter()
-            .zip(bounds)
-            .all(|(value, bound)| value > bound)
+        let mut limits = limits.iter().zip(values);
+        // A value that is not a number is not above its bound.
+        let is_passed = |value: f64, bound: f64| value.is_nan() || value <= bound;
+        let ((_, reason), _) = limits.find(|((bound, _), value)| is_passed(*value, *bound))?;
+        Some(reason.as_str())
     }
 }

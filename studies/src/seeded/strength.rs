@@ -53,7 +53,7 @@ pub const STRENGTHS: &[Strength] = &[
     row("unequal_diametral_inertias", &[1e-5], &[5e-5]),
     row("tilted_vertical", &[0.003, -0.002], &[0.02, 0.01]),
     row("scale", &[0.002], &[0.01]),
-    row("marker_time_offset", &[1e-4], &[1e-3]),
+    row("marker_time_offset", &[1e-4, 2e-4], &[1e-3, 2e-3]),
     row("marker_1_misplaced", &[0.001, -0.001, 0.0005], &[0.004, 0.003, -0.002]),
     row("marker_2_misplaced", &[0.001, -0.001, 0.0005], &[0.004, 0.003, -0.002]),
     row("marker_3_misplaced", &[0.001, -0.001, 0.0005], &[0.004, 0.003, -0.002]),

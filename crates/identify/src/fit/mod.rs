@@ -7,6 +7,7 @@
 mod contact_refinement;
 mod ends;
 mod error_trial;
+mod filtered;
 mod finished;
 mod held_out;
 mod horizon_continuation;
@@ -16,6 +17,7 @@ mod marker_noise;
 mod open_side;
 mod outcome;
 mod output_error;
+mod pose_offset;
 mod post_fit;
 mod predicted_changes;
 mod reading_axes;
@@ -23,6 +25,7 @@ mod residual_cache;
 mod restarts;
 mod reweighting;
 mod single_flights;
+mod spin_aliases;
 mod starts;
 mod state;
 mod summaries;
@@ -250,6 +253,8 @@ impl Screened<'_> {
         let (mut report, reports) = outcome::reports(&state, &reweighted)?;
         let exchanged = reading_axes::exchanged(&state, &reweighted.cache);
         report.contradicted.extend(exchanged);
+        let offsets = pose_offset::offsets(&state, &reweighted.cache);
+        report.doubts.extend(offsets);
         let Reweighted {
             noise, solution, ..
         } = reweighted;
@@ -328,7 +333,7 @@ fn converged(
 ) -> Result<(State<'_>, ResidualCache), FitError> {
     guesses.state.excluded.extend(doubtful);
     let (mut state, cache) = if guesses.state.problem.sees_positions() {
-        starts::resolve_spin_aliases(guesses)?
+        spin_aliases::resolve(guesses)?
     } else {
         starts::best_of_several(guesses)?
     };

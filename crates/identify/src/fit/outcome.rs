@@ -11,7 +11,7 @@ use super::output_error::OutputError;
 use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square_sums};
 use super::reweighting::Reweighted;
 use super::state::State;
-use super::{FitError, flight_error, marker_distances, solve_error, summary_noise};
+use super::{FitError, filtered, flight_error, marker_distances, solve_error, summary_noise};
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
@@ -100,7 +100,7 @@ pub fn reports(
         doubt_of_summaries,
         open_side: open_side(state.problem, &state.flights),
         excess: marker_distances::excess(state, &fitted.cache),
-        contradicted: marker_distances::filtered(state).into_iter().collect(),
+        contradicted: filtered::filtered(state).into_iter().collect(),
         not_identifiable,
         profiles,
         residuals: pool.axes(),

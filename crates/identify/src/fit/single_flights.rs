@@ -284,7 +284,7 @@ fn like_the_others(
 mod tests {
     use super::*;
     use crate::fit::tests::simulated;
-    use crate::fit::{flights_of, initial_guess, starts};
+    use crate::fit::{flights_of, initial_guess, spin_aliases};
     use crate::options::FitOptions;
     use crate::problem::{FitProblem, whitened_tolerance};
     use dataset::Role;
@@ -307,7 +307,7 @@ mod tests {
         problem.sigma0 = observed.sigma0.unwrap();
         problem.tolerance = whitened_tolerance(&model, fitted.len());
         let guesses = initial_guess::initial_guesses(&problem, &dataset, observed, &options);
-        let (mut state, _) = starts::resolve_spin_aliases(guesses.unwrap()).unwrap();
+        let (mut state, _) = spin_aliases::resolve(guesses.unwrap()).unwrap();
         state.exclude(vec![(1, reason)]).unwrap();
         let residuals = state.residuals();
         let found = reweight(&mut state, residuals, None).unwrap();

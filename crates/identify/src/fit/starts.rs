@@ -1,42 +1,25 @@
-//! Fits from several starts: with another spin if samples are far apart, and from several guesses of every flight
-//! without measured positions, whose instruments do not determine the initial attitude and velocity.
+//! Fits from several starts: from several guesses of every flight without measured positions, whose instruments do not
+//! determine the initial attitude and velocity.
 
 use std::f64::consts::TAU;
 
 use flight::parallel;
-use flight::throw::ThrownModel;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
 use super::FitError;
 use super::horizon_continuation::{anneal_scale, continue_horizon};
-use super::initial_guess::{InitialGuesses, spin_note};
+use super::initial_guess::InitialGuesses;
 use super::output_error::FixedGlobal;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
-use crate::levels::ROUGHLY_NOISE;
 use crate::observations::Observations;
-use dataset::statistics::median_of;
-
-/// Numbers of turns per sampling interval that are added to the slowest spin, the most probable first.
-const ALIASES: [i32; 3] = [0, -1, 1];
-
-/// Maximum ratio of the median residual scale to that of the best fit so far, for another spin to be preferred.
-const ACCEPTED_RATIO: f64 = 0.9;
-
-/// Decrease of the deviance, −2 ln of the likelihood, at which another spin is preferred where the residuals of both are
-/// noise: odds of 150 to 1.
-const MIN_DEVIANCE: f64 = 10.0;
-
-/// Decrease of the deviance at which a faster spin is certain: with a term that the model lacks, wrong spins gained up to 25
-/// in simulated flights, and right ones at least 39.
-const DECISIVE: f64 = 30.0;
 
 /// Least relative difference of initial states, or of their angular velocities, of different fits: a turn per interval is
 /// most of either.
-const ANOTHER: f64 = 0.1;
+pub(super) const ANOTHER: f64 = 0.1;
 
 /// Decrease of the deviance by which a minimum, or another initial state of a flight, is better.
 const SAME_MINIMUM: f64 = 1.0;
@@ -57,14 +40,14 @@ const FIRST_PART: (f64, usize) = (0.4, 8);
 
 /// Fits that arrived from several starts, with their residuals, and the first error of another start.
 #[derive(Default)]
-struct Arrivals<'a> {
-    fits: Vec<(State<'a>, ResidualCache)>,
+pub(super) struct Arrivals<'a> {
+    pub fits: Vec<(State<'a>, ResidualCache)>,
     failure: Option<FitError>,
 }
 
 impl<'a> Arrivals<'a> {
     /// Fits from a start by `refine`; an error if the work is cancelled.
-    fn add(
+    pub fn add(
         &mut self,
         mut start: State<'a>,
         refine: impl Fn(&mut State<'a>) -> Result<ResidualCache, FitError>,
@@ -80,7 +63,7 @@ impl<'a> Arrivals<'a> {
     }
 
     /// The fit with the index `best`, and `doubt` about it.
-    fn take(
+    pub fn take(
         mut self,
         best: usize,
         doubt: Option<String>,
@@ -94,96 +77,8 @@ impl<'a> Arrivals<'a> {
     }
 }
 
-/// Fits all flights once for each alias of the spin, and returns the best fit.
-pub fn resolve_spin_aliases(
-    guesses: InitialGuesses<'_>,
-) -> Result<(State<'_>, ResidualCache), FitError> {
-    let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
-    let all = alternatives.iter().flatten();
-    let aliases = ALIASES.into_iter();
-    let aliases = aliases.filter(|alias| all.clone().any(|guess| guess.turns == *alias));
-    let aliases: Vec<i32> = aliases.collect();
-    if aliases.iter().all(|alias| *alias == 0) {
-        let cache = continue_horizon(&mut state)?;
-        return Ok((state, cache));
-    }
-    let mut arrivals = Arrivals::default();
-    for alias in aliases {
-        arrivals.add(with_alias(&state, alternatives, alias), converged)?;
-    }
-    let fits = &arrivals.fits;
-    let scale = |place: usize| {
-        let (fit, cache) = &fits[place];
-        median_scale(cache, fit.excluded.len() - state.excluded.len())
-    };
-    let is_noise = |scale: f64| scale < ROUGHLY_NOISE * state.problem.sigma0;
-    let (mut best, mut is_doubtful) = (0, false);
-    for place in 1..fits.len() {
-        let ((tried, new), (other, before)) = (&fits[place], &fits[best]);
-        let [scale, least] = [place, best].map(scale);
-        let [gain, alone] = gain_of((tried, new), (other, before), scale.min(least));
-        let are_noise = is_noise(scale.min(least));
-        let is_better = match are_noise {
-            true => gain > MIN_DEVIANCE,
-            false => scale < ACCEPTED_RATIO * least,
-        };
-        // Neither spin is better both with the priors and without them.
-        let is_open = gain.abs().min(alone.abs()) <= MIN_DEVIANCE || gain * alone < 0.0;
-        let is_as_good = are_noise && is_open && is_another(tried, other);
-        is_doubtful = is_as_good || is_doubtful && !is_better;
-        if is_better {
-            best = place;
-        }
-    }
-    let is_decisive = || {
-        let ((tried, new), (slowest, before)) = (&fits[best], &fits[0]);
-        let gains = gain_of((tried, new), (slowest, before), scale(best).min(scale(0)));
-        let is_clear = gains.into_iter().all(|gain| gain > DECISIVE);
-        is_clear || !is_another(tried, slowest)
-    };
-    let how = match is_doubtful {
-        true => Some("as well"),
-        false if best > 0 && !is_decisive() => {
-            Some("almost as well, as where the model lacks a term")
-        }
-        false => None,
-    };
-    let doubt = how.map(|how| {
-        format!(
-            "the spin is not determined: with a turn more or less per sampling interval the flights fit {how}"
-        )
-    });
-    arrivals.take(best, doubt)
-}
-
-/// Continues the horizon, and from residuals at the noise on to the minimum: likelihoods are compared at minima.
-fn converged(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
-    let cache = continue_horizon(state)?;
-    if cache.median_scale() < ROUGHLY_NOISE * state.problem.sigma0 {
-        return anneal_scale(state);
-    }
-    Ok(cache)
-}
-
-/// Whether a flight starts with another angular velocity in another fit: with a gyroscope both may arrive at the same
-/// one, by other angles for the same attitude.
-fn is_another(one: &State<'_>, other: &State<'_>) -> bool {
-    let (problem, thrown) = (one.problem, ThrownModel::new(&one.problem.model).ok());
-    let rates = |local: &DVector<f64>| {
-        let state = &local.as_slice()[..problem.body.layout().states.len()];
-        let motion = thrown.as_ref()?.motion(state, &problem.parameters);
-        Some(motion.turning?.rates)
-    };
-    let is_same = |(one, other): (&DVector<f64>, &DVector<f64>)| match (rates(one), rates(other)) {
-        (Some(one), Some(other)) => (one - other).norm() < ANOTHER * other.norm(),
-        _ => are_same(&problem.model, (one, other)),
-    };
-    let mut pairs = one.local.iter().zip(&other.local);
-    one.local.len() == other.local.len() && pairs.any(|pair| !is_same(pair))
-}
-
 /// Whether two initial states differ little, but for whole turns and the signs of quaternions.
-fn are_same(model: &Model, (one, other): (&DVector<f64>, &DVector<f64>)) -> bool {
+pub(super) fn are_same(model: &Model, (one, other): (&DVector<f64>, &DVector<f64>)) -> bool {
     let mut difference = one - other;
     for angle in model.angle_states() {
         difference[angle] -= TAU * (difference[angle] / TAU).round();
@@ -195,50 +90,6 @@ fn are_same(model: &Model, (one, other): (&DVector<f64>, &DVector<f64>)) -> bool
         }
     }
     difference.norm() < ANOTHER * other.norm()
-}
-
-/// Decrease of the deviance from the fit `before` to the fit `new`, for noise of unknown size: with weak priors of the
-/// parameters, since moments that no such body has may make up for another spin, and without. `scale` is that of the
-/// residuals, m.
-fn gain_of(
-    (new, new_cache): (&State<'_>, &ResidualCache),
-    (before, before_cache): (&State<'_>, &ResidualCache),
-    scale: f64,
-) -> [f64; 2] {
-    let [(is, count), (was, count_before)] =
-        [new_cache, before_cache].map(|cache| cache.clipped_squares(scale));
-    if count < count_before {
-        return [f64::NEG_INFINITY; 2];
-    }
-    let prior = |state: &State<'_>| {
-        let globals = state.problem.globals.iter().zip(state.global.iter());
-        let each = globals.map(|(own, value)| ((value - own.model_value) / own.x_scale).powi(2));
-        each.sum::<f64>()
-    };
-    let alone = count as f64 * (was / is).ln();
-    [alone + prior(before) - prior(new), alone]
-}
-
-/// A fit in progress in which each flight starts at its guess with `alias` additional turns, if it has one.
-fn with_alias<'a>(state: &State<'a>, alternatives: &[Vec<InitialGuess>], alias: i32) -> State<'a> {
-    let mut state = state.clone();
-    for (index, guesses) in alternatives.iter().enumerate() {
-        let mut guesses = guesses.iter();
-        let guess = guesses.find(|guess| guess.turns == alias && alias != 0);
-        if let Some(guess) = guess {
-            state.local[index].clone_from(&guess.state);
-            state.flights[index].notes.push(spin_note(alias));
-        }
-    }
-    state
-}
-
-/// Median of the flights' residual scales, m; flights that cannot be integrated or were `excluded` count as infinite.
-fn median_scale(cache: &ResidualCache, excluded: usize) -> f64 {
-    let scales = cache.scales().into_iter();
-    let flown = scales.map(|scale| scale.unwrap_or(f64::INFINITY));
-    let without = std::iter::repeat_n(f64::INFINITY, excluded);
-    median_of(flown.chain(without)).unwrap_or(0.0)
 }
 
 /// Finds the best minimum of the longest flights, and fits all flights from there.
@@ -349,9 +200,9 @@ fn least_deviance(fits: &[(State<'_>, ResidualCache)]) -> (usize, usize) {
 }
 
 /// Initial guesses of flights, which may be excluded one after the other.
-struct Guesses<'g> {
-    ids: Vec<FlightId>,
-    of_flights: &'g [Vec<InitialGuess>],
+pub(super) struct Guesses<'g> {
+    pub ids: Vec<FlightId>,
+    pub of_flights: &'g [Vec<InitialGuess>],
 }
 
 impl Guesses<'_> {
@@ -361,7 +212,7 @@ impl Guesses<'_> {
     }
 
     /// Guesses of one flight, the best one first.
-    fn of(&self, flight: FlightId) -> &[InitialGuess] {
+    pub fn of(&self, flight: FlightId) -> &[InitialGuess] {
         let index = self.ids.iter().position(|id| *id == flight);
         index.map_or(&[], |index| &self.of_flights[index])
     }

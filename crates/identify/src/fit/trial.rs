@@ -38,9 +38,13 @@ pub fn remove_refuted(
     if options.trust_data || !to_fit.clone().all(is_common) {
         return Ok(());
     }
-    let found = tried(model, dataset, to_fit.cloned(), options)?;
-    if found.is_some_and(|fit| flies_as_recorded(&fit)) {
-        faults.retain(|fault| !rests_on_loads(fault.fault));
+    if let Some(fit) = tried(model, dataset, to_fit.cloned(), options)? {
+        let is_noise = lacks_fit(&fit, options).is_some_and(|(fails, _)| !fails);
+        faults.retain(|fault| match fault.fault {
+            // A hand pushes about as hard as the model may.
+            FaultKind::NotFreeFlight => !is_noise,
+            kind => !(rests_on_loads(kind) && flies_as_recorded(&fit)),
+        });
     }
     Ok(())
 }
@@ -79,22 +83,18 @@ pub fn other_unit(
         return Ok(Vec::new());
     }
     let units = OtherUnit::undetermined(dataset);
-    let fails = |fit: &Fit| {
-        let test = LackOfFit::of_fit(fit, options.threads()).ok()??;
-        let fails = test.fails(LACK_OF_FIT_LEVEL) || fit.report.is_above_noise();
-        // Another unit leaves more than a little.
-        let is_far = fit.report.is_above_noise() || test.beyond_noise_m > test.noise_m;
-        Some((fails, fails && is_far))
-    };
+    let fails = |fit: &Fit| lacks_fit(fit, options);
     let may_be_wrong = match as_they_are {
         Err(FitError::Interrupted | FitError::FaultyData(_)) => false,
         Err(_) => true,
+        // Another unit leaves more than a little.
         Ok(fit) => !units.is_empty() && fails(fit).is_some_and(|(_, is_far)| is_far),
     };
     for unit in units.into_iter().filter(|_| may_be_wrong) {
         let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
         let converted = to_fit.map(|flight| unit.converted(flight.clone()));
         let found = tried(model, dataset, converted, options)?;
+        let found = found.filter(|fit| unit.is_followed(dataset, &fit.report.sensors));
         if found
             .and_then(|fit| fails(&fit))
             .is_some_and(|(fails, _)| !fails)
@@ -106,11 +106,19 @@ pub fn other_unit(
     Ok(Vec::new())
 }
 
+/// Whether the residuals of a fit are not noise, and whether they are far from it; `None` if they are too few to tell.
+fn lacks_fit(fit: &Fit, options: &FitOptions<'_>) -> Option<(bool, bool)> {
+    let test = LackOfFit::of_fit(fit, options.threads()).ok()??;
+    let fails = test.fails(LACK_OF_FIT_LEVEL) || fit.report.is_above_noise();
+    let is_far = fit.report.is_above_noise() || test.beyond_noise_m > test.noise_m;
+    Some((fails, fails && is_far))
+}
+
 /// Whether a fault is inferred from loads that screening assumes.
 fn rests_on_loads(fault: FaultKind) -> bool {
     matches!(
         fault,
-        FaultKind::Axes | FaultKind::TimeUnit | FaultKind::Units
+        FaultKind::Axes | FaultKind::TimeUnit | FaultKind::Units | FaultKind::NotFreeFlight
     )
 }
 

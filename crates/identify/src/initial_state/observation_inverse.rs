@@ -1,5 +1,7 @@
 //! Finds the state with a given rigid-body motion, by Levenberg–Marquardt on the model's measurement equation.
 
+use std::f64::consts::TAU;
+
 use flight::{BoundModel, ModelState};
 use model_spec::sort_by_number;
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
@@ -77,7 +79,23 @@ pub fn state_for_motion(
     }
     // Known states may prevent an exact match; the fit judges that.
     let (_, state) = best.ok_or(FlightError::NoMatchingState)?;
-    Ok(state)
+    let unwound = unwound(problem, &state);
+    let moved = shown.at(&unwound) - shown.at(&state);
+    Ok(if moved.norm() < MAX_DISTANCE {
+        unwound
+    } else {
+        state
+    })
+}
+
+/// The state with every angle less the whole turns that lie between it and its default.
+fn unwound(problem: &FitProblem, state: &DVector<f64>) -> DVector<f64> {
+    let default = problem.body.layout().default_states();
+    let mut unwound = state.clone();
+    for angle in problem.model.angle_states() {
+        unwound[angle] -= TAU * ((state[angle] - default[angle]) / TAU).round();
+    }
+    unwound
 }
 
 /// Positions of the probes in the given motion, m, followed by their velocities × `VELOCITY_WEIGHT`, m.
@@ -269,5 +287,34 @@ impl<'a> ProbeMotion<'a> {
             }
         }
         shown
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::tests::simulated;
+    use crate::initial_state::rigid_motion::first_motion;
+    use crate::options::FitOptions;
+    use dataset::synthesize::Plan;
+
+    #[test]
+    fn whole_turns_between_an_angle_and_its_default_are_taken_off() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let plan = Plan {
+            flights: 1,
+            duration: Some(0.3),
+            ..Plan::default()
+        };
+        let dataset = simulated(&model, "backhand", &plan);
+        let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+        let observations = Observations::new(&problem, &dataset.flights[0]).unwrap();
+        let motion = first_motion(&problem, &observations).unwrap();
+        let state = state_for_motion(&problem, &observations, &motion).unwrap();
+        let mut turned = state.clone();
+        for angle in model.angle_states() {
+            turned[angle] += 3.0 * TAU;
+        }
+        assert!((unwound(&problem, &turned) - state).norm() < 1e-9);
     }
 }

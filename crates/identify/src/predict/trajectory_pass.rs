@@ -2,10 +2,12 @@
 
 use std::ops::Range;
 
-use flight::{ModelState, ObservationJacobians};
+use flight::{BoundModel, ModelState, ObservationJacobians};
 use model_spec::layout::ParamId;
 use nalgebra::DVector;
-use ode::{DifferentiableRhs, Sensitivities, SensitivityLayout};
+use ode::{
+    DifferentiableRhs, IntegrationError, IntegrationFailure, Sensitivities, SensitivityLayout,
+};
 
 use super::jacobian_columns::JacobianColumns;
 use super::observed_point::{ObservedPoint, Residuals, integration_options};
@@ -91,10 +93,13 @@ impl TrajectoryPass<'_> {
             (times[0], &start),
             integration_options(self.tolerance, times.len()),
         );
+        let beyond = |error| beyond_limit(problem, &problem.body.bind(values.clone()), error);
         match cache {
             Some(cache) => {
                 let mut trajectory = vec![0.0; length * times.len()];
-                variations.integrate_at(from, times, &options, &mut [], &mut trajectory)?;
+                variations
+                    .integrate_at(from, times, &options, &mut [], &mut trajectory)
+                    .map_err(beyond)?;
                 for (sample, both) in cache.insert(trajectory).chunks(length).enumerate() {
                     visit(sample, both);
                 }
@@ -110,7 +115,9 @@ impl TrajectoryPass<'_> {
                 observed.dedup();
                 let observed = observed.into_iter().map(|state| places.row_range(state));
                 let shown = joined(std::iter::once(places.state_range()).chain(observed));
-                variations.integrate_with_callback(from, times, &options, &shown, &mut visit)?;
+                variations
+                    .integrate_with_callback(from, times, &options, &shown, &mut visit)
+                    .map_err(beyond)?;
             }
         }
         Ok(places)
@@ -191,8 +198,30 @@ pub(super) fn states_within(
     let mut states = vec![0.0; start.len() * times.len()];
     let options = integration_options(tolerance, times.len());
     let from = (times[0], &start);
-    conditions.integrate_at(from, times, &options, &mut [], &mut states)?;
+    conditions
+        .integrate_at(from, times, &options, &mut [], &mut states)
+        .map_err(|error| beyond_limit(problem, &conditions, error))?;
     Ok(states)
+}
+
+/// The failure of an integration, which is that of a limit of the model if its last state is beyond one: trajectories of a
+/// search may cross limits, and often fail there, as at the singular point of an attitude by angles.
+fn beyond_limit(
+    problem: &FitProblem,
+    conditions: &BoundModel<'_>,
+    mut error: IntegrationError,
+) -> IntegrationError {
+    let names = problem.body.layout().states.iter();
+    let value = |name: &String| Some(error.states.iter().find(|(own, _)| own == name)?.1);
+    let state: Option<Vec<f64>> = names.map(value).collect();
+    if let Some(state) = state
+        && let Some(reason) = conditions.observer().passed_limit(error.time, &state)
+    {
+        error.cause = IntegrationFailure::Limit {
+            reason: reason.to_owned(),
+        };
+    }
+    error
 }
 
 /// Residuals at the first `samples` samples of a flight.
@@ -239,4 +268,40 @@ pub fn robust_scale(residuals: &Residuals) -> Option<f64> {
     let mut sizes = Vec::with_capacity(3 * residuals.iter().map(Vec::len).sum::<usize>());
     sizes.extend(all.map(|residual| residual.abs()));
     (!sizes.is_empty()).then(|| robust_sigma(&mut sizes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::options::FitOptions;
+    use dataset::synthesize::Plan;
+
+    #[test]
+    fn a_failure_beyond_a_limit_is_told_as_that() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let plan = Plan {
+            flights: 1,
+            duration: Some(0.1),
+            ..Plan::default()
+        };
+        let dataset = crate::fit::tests::simulated(&model, "backhand", &plan);
+        let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+        let conditions = problem.body.bind(problem.parameters.clone());
+        let layout = problem.body.layout();
+        let told = |theta: f64| {
+            let values = layout.states.iter().zip(layout.default_states());
+            let states = values.map(|(name, value)| match &**name {
+                "theta" => (name.clone(), theta),
+                _ => (name.clone(), value),
+            });
+            let error = IntegrationError {
+                time: 0.1,
+                states: states.collect(),
+                cause: IntegrationFailure::TooManySteps { steps: 7 },
+            };
+            beyond_limit(&problem, &conditions, error).to_string()
+        };
+        assert!(told(1.568).contains("the plane of the disc stands vertical"));
+        assert!(told(0.1).contains("7 steps"));
+    }
 }

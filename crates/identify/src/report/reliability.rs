@@ -229,7 +229,7 @@ fn marker_distances(report: &FitReport) -> Option<String> {
         false => "closer together",
     };
     Some(format!(
-        "markers {one} and {other} are {:.1} ± {:.1} mm {apart} than their stated positions: correct the positions of the markers",
+        "markers {one} and {other} are {:.1} ± {:.1} mm {apart} than their stated positions: correct the positions of the markers, or their times if they are seen one after the other",
         difference.abs(),
         1e3 * worst.std_error_m
     ))

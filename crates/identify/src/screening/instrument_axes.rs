@@ -8,7 +8,7 @@ use super::momentum::is_clearly_better;
 use super::motion::{Comparison, comparisons};
 use super::readings::series;
 use super::track::Track;
-use super::units::OtherUnit;
+use super::units::{Centripetal, OtherUnit, gyroscope};
 use crate::error::FaultKind;
 use dataset::{Dataset, Sensor};
 
@@ -41,10 +41,56 @@ pub fn check(
         let squares = compared.iter().map(|own| own.misfit(meaning, unit));
         squares.sum::<f64>() / size
     };
-    // Without attitudes the readings do not tell: aerodynamic moments turn the angular momentum as wrong axes do.
-    (size > 0.0).then_some(())?;
+    // Without attitudes a gyroscope does not tell: aerodynamic moments turn the angular momentum as wrong axes do.
+    if size == 0.0 {
+        return beside_gyroscope(dataset, (sensor, channel, instrument));
+    }
     let (meaning, is_alone) = clearly_best(Meaning::all(instrument), misfit)?;
-    Some(fault((sensor, channel, instrument), &meaning, is_alone))
+    let why = "only so do the readings follow the motion of the body";
+    Some(fault(
+        (sensor, channel, instrument),
+        &meaning,
+        is_alone,
+        why,
+    ))
+}
+
+/// The same of an accelerometer, compared with the centripetal acceleration that a gyroscope shows at its place.
+fn beside_gyroscope(
+    dataset: &Dataset,
+    own: (&Sensor, usize, Instrument),
+) -> Option<(FaultKind, (String, String))> {
+    let (sensor, channel, instrument) = own;
+    if instrument != Instrument::Accelerometer || sensor.position_is_unknown {
+        return None;
+    }
+    let channels = [channel, gyroscope(dataset)?.1];
+    let place = Vector3::from(sensor.position);
+    let flights = dataset.flights.iter();
+    let found = flights.filter_map(|flight| Centripetal::of(flight, channels, place));
+    let found: Vec<Centripetal> = found.collect();
+    let size: f64 = found.iter().map(|own| own.read.norm_squared()).sum();
+    let misfit = |meaning: &Meaning| {
+        let off = |own: &Centripetal| own.across(meaning.axes.turned(own.read)) - own.expected;
+        let squares = found.iter().map(|own| off(own).norm_squared());
+        squares.sum::<f64>() / size
+    };
+    let of_axes = Meaning::all(instrument).into_iter();
+    let of_axes: Vec<Meaning> = of_axes
+        .filter(|meaning| meaning.changes() == meaning.axes.changes())
+        .collect();
+    // An instrument that is turned is more usual than one whose axes are those of a mirror.
+    let turned = of_axes.clone().into_iter();
+    let turned = turned.filter(|meaning| meaning.axes.is_right_handed());
+    let found = clearly_best(turned.collect(), misfit);
+    let (meaning, _) = found.or_else(|| clearly_best(of_axes, misfit))?;
+    let why = "only so, or at another place, do the readings show the centripetal acceleration that the measured rates give";
+    // The sign along the spin is not compared.
+    let (kind, (detail, correction)) = fault(own, &meaning, false, why);
+    let correction = format!(
+        "{correction}, or correct its position; turn the gyroscope, too, if both are one instrument"
+    );
+    Some((kind, (detail, correction)))
 }
 
 /// The simplest of the best meanings, and whether no other is as good, if it is clearly better than the first.
@@ -68,9 +114,9 @@ fn fault(
     (sensor, channel, instrument): (&Sensor, usize, Instrument),
     meaning: &Meaning,
     is_alone: bool,
+    why: &str,
 ) -> (FaultKind, (String, String)) {
     let name = &sensor.name;
-    let why = "only so do the readings follow the motion of the body";
     if !meaning.axes.is_identity() {
         let key = match instrument {
             Instrument::Accelerometer => "accelerometer_axes",

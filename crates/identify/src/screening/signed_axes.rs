@@ -42,6 +42,11 @@ impl SignedAxes {
         usize::from(each().any(|(_, (_, sign))| *sign < 0.0))
     }
 
+    pub fn is_right_handed(self) -> bool {
+        let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| self.turned(axis));
+        x.cross(&y).dot(&z) > 0.0
+    }
+
     /// Axis of the instrument along an axis of the body, and its sign.
     pub fn along(self, body: usize) -> (usize, f64) {
         self.0[body]

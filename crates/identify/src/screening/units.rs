@@ -6,6 +6,8 @@ use nalgebra::Vector3;
 
 use super::readings::{of_flights, sensors, series};
 use crate::error::{DataFault, FaultKind};
+use crate::levels::CLEARLY_SMALLER;
+use crate::report::SensorReport;
 use dataset::statistics::median_of;
 use dataset::{ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, SPEEDS, Sensor, SensorKind};
 
@@ -99,7 +101,7 @@ pub fn unit(
                 return None;
             }
             let place = Vector3::from(sensor.position);
-            let apparent = |own| apparent_unit_of_forces(own, [channel, rates], place);
+            let apparent = |own| Centripetal::of(own, [channel, rates], place)?.unit();
             median_of(flights.filter_map(apparent))
         }
     }?;
@@ -172,6 +174,17 @@ impl OtherUnit {
         flight
     }
 
+    /// Whether a fit of the converted readings follows them: noise that is as large as they are fits in any unit.
+    pub fn is_followed(&self, dataset: &Dataset, left: &[SensorReport]) -> bool {
+        let usual = dataset.flights.iter();
+        let usual = median_of(usual.filter_map(|own| root_mean_square(own, self.channel)));
+        let unit = self.unit.value(self.instrument);
+        let axis = usual.map(|usual| usual * unit / f64::sqrt(3.0));
+        let left = left.iter().find(|own| own.name == self.sensor);
+        axis.zip(left)
+            .is_some_and(|(axis, left)| left.rms < CLEARLY_SMALLER * axis)
+    }
+
     /// Message and correction, given how the unit was found.
     pub fn fault(&self, why: &str) -> (FaultKind, (String, String)) {
         let (sensor, (unit, _)) = (&self.sensor, units(self.instrument)[self.unit.index]);
@@ -211,34 +224,57 @@ fn root_mean_square(flight: &Flight, channel: usize) -> Option<f64> {
 }
 
 /// The first gyroscope and its channel.
-fn gyroscope(dataset: &Dataset) -> Option<(&Sensor, usize)> {
+pub fn gyroscope(dataset: &Dataset) -> Option<(&Sensor, usize)> {
     let gyroscope = SensorKind::Instrument(Instrument::Gyroscope);
     sensors(dataset).find(|(sensor, _)| sensor.kind == gyroscope)
 }
 
-/// Unit of the recorded specific forces, m/s²: the mean centripetal acceleration at `place`, across the mean axis of the
-/// spin, over their mean; forces on the body turn with it there, and have none. `None` if it turns too little.
-fn apparent_unit_of_forces(
-    flight: &Flight,
-    channels: [usize; 2],
-    place: Vector3<f64>,
-) -> Option<f64> {
-    let rows = flight.times.iter().zip(&flight.readings);
-    let samples = rows.filter_map(|(time, row)| {
-        let [force, rate] = channels.map(|own| row.get(own).copied().flatten());
-        let ([x, y, z, _], [p, q, r, _]) = (force?, rate?);
-        Some((*time, Vector3::new(x, y, z), Vector3::new(p, q, r)))
-    });
-    let samples: Vec<(f64, Vector3<f64>, Vector3<f64>)> = samples.collect();
-    let count = samples.len() as f64;
-    let rate = samples.iter().map(|own| own.2).sum::<Vector3<f64>>() / count;
-    let turned = rate.norm() * (samples.last()?.0 - samples[0].0);
-    let across = |vector: Vector3<f64>| vector - rate * (rate.dot(&vector) / rate.norm_squared());
-    let read = across(samples.iter().map(|own| own.1).sum::<Vector3<f64>>() / count);
-    let centripetal = samples.iter().map(|own| own.2.cross(&own.2.cross(&place)));
-    let expected = across(centripetal.sum::<Vector3<f64>>() / count);
-    let is_determined = turned > MIN_TURNED && expected.norm() > MIN_CENTRIPETAL;
-    is_determined.then(|| expected.norm_squared() / expected.dot(&read))
+/// What an accelerometer off the axis reads across the mean spin in one flight: forces on the body turn with it there, and
+/// have no mean.
+pub struct Centripetal {
+    /// Mean angular velocity, rad/s.
+    rate: Vector3<f64>,
+    /// Mean reading, in the unit of the recording.
+    pub read: Vector3<f64>,
+    /// Mean centripetal acceleration across the mean spin, m/s².
+    pub expected: Vector3<f64>,
+}
+
+impl Centripetal {
+    /// From the channels of an accelerometer at `place`, m, and a gyroscope; `None` if the body turns too little.
+    pub fn of(flight: &Flight, channels: [usize; 2], place: Vector3<f64>) -> Option<Self> {
+        let rows = flight.times.iter().zip(&flight.readings);
+        let samples = rows.filter_map(|(time, row)| {
+            let [force, rate] = channels.map(|own| row.get(own).copied().flatten());
+            let ([x, y, z, _], [p, q, r, _]) = (force?, rate?);
+            Some((*time, Vector3::new(x, y, z), Vector3::new(p, q, r)))
+        });
+        let samples: Vec<(f64, Vector3<f64>, Vector3<f64>)> = samples.collect();
+        let count = samples.len() as f64;
+        let rate = samples.iter().map(|own| own.2).sum::<Vector3<f64>>() / count;
+        let read = samples.iter().map(|own| own.1).sum::<Vector3<f64>>() / count;
+        let centripetal = samples.iter().map(|own| own.2.cross(&own.2.cross(&place)));
+        let turned = rate.norm() * (samples.last()?.0 - samples[0].0);
+        let mut found = Self {
+            rate,
+            read,
+            expected: centripetal.sum::<Vector3<f64>>() / count,
+        };
+        found.expected = found.across(found.expected);
+        (turned > MIN_TURNED).then_some(found)
+    }
+
+    /// Part of a vector across the mean spin.
+    pub fn across(&self, vector: Vector3<f64>) -> Vector3<f64> {
+        vector - self.rate * (self.rate.dot(&vector) / self.rate.norm_squared())
+    }
+
+    /// Unit of the readings, m/s²; `None` if the centripetal acceleration is too small to tell.
+    fn unit(&self) -> Option<f64> {
+        let is_determined = self.expected.norm() > MIN_CENTRIPETAL;
+        is_determined
+            .then(|| self.expected.norm_squared() / self.expected.dot(&self.across(self.read)))
+    }
 }
 
 /// Unit of the recorded rates, rad/s: the rate at which their part across the mean turns, over their magnitude; `None`

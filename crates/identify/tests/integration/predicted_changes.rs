@@ -3,7 +3,7 @@
 use dataset::Dataset;
 use dataset::synthesize::{Corruption, Plan, flights};
 use flight::release::{Release, Stop};
-use identify::{FitOptions, fit};
+use identify::{FitError, FitOptions, fit};
 use model_spec::model::Model;
 
 /// A stone whose force `push` is stated.
@@ -74,5 +74,19 @@ fn a_touch_that_the_model_does_not_predict_ends_the_flight_whatever_it_switches(
         for flight in &found.report.flights {
             assert!(flight.cut.is_some(), "{}", flight.file);
         }
+    }
+}
+
+#[test]
+fn a_push_is_a_hand_unless_the_model_predicts_it() {
+    let model = stone("c*(5e-3 m)*step(0.4 s - time)*N.1");
+    let dataset = falls(&model);
+    let found = fit(&model, &dataset, &FitOptions::default()).expect("a fit");
+    let own = &found.report.coefficients["c"];
+    assert!(own.std_error < 0.01 * own.value, "{own:?}");
+    assert!((own.value - 3000.0).abs() < 4.0 * own.std_error, "{own:?}");
+    match fit(&stone(FLOOR), &dataset, &FitOptions::default()) {
+        Err(FitError::FaultyData(faults)) => assert_eq!(faults.len(), 3),
+        other => panic!("{:?}", other.map(|fit| fit.report.cautions)),
     }
 }

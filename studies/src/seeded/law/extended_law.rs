@@ -93,7 +93,7 @@ impl<T: Real> ExtendedLaw<T> {
         let arm = at.attitude.carry(on_body);
         let delays = self.called("marker_time_offset");
         let position = delays.fold(at.position + arm, |sum, values| {
-            sum + observation::motion_until_sampled(values[0], at, arm, which)
+            sum + observation::motion_until_sampled([values[0], values[1]], at, arm, which)
         });
         effects.fold(position, |position, active| {
             observation::reported(active.effect.name, &active.values, position)

@@ -79,7 +79,7 @@ static EFFECTS: [Effect; 39] = [
     effect("unequal_diametral_inertias", &["dI"], &DISCS),
     effect("tilted_vertical", &["tilt_x", "tilt_y"], &ANY),
     effect("scale", &["scale_error"], &ANY),
-    effect("marker_time_offset", &["offset"], &DISCS),
+    effect("marker_time_offset", &["later_2", "later_3"], &DISCS),
     effect(
         "marker_1_misplaced",
         &["slip_1_1", "slip_1_2", "slip_1_3"],

@@ -25,16 +25,16 @@ pub(super) fn displacement<T: Real>(
     }
 }
 
-/// Displacement of a marker by the motion of the body during the `delay` (s) with which each marker is sampled after
-/// the preceding one, m. `arm` points from the mass centre to the marker; vectors are in inertial components. `which`
+/// Displacement of a marker by the motion of the body during the `delays` (s) with which the second and the third marker
+/// are sampled after the first, m. `arm` points from the mass centre to the marker; vectors are in inertial components. `which`
 /// has a 1 at the index of the observed marker.
 pub(super) fn motion_until_sampled<T: Real>(
-    delay: T,
+    delays: [T; 2],
     at: &Physical<T>,
     arm: Vector3<T>,
     which: Vector3<T>,
 ) -> Vector3<T> {
-    let later = delay * (which.y + which.z + which.z);
+    let later = delays[0] * which.y + delays[1] * which.z;
     let omega = at.angular_velocity;
     // Second-order term of the rotation: ω (ω·r) − r ω².
     let centripetal = omega * omega.dot(&arm) - arm * omega.dot(&omega);

@@ -6,6 +6,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 use super::{calm_disc, found};
 use crate::error::FaultKind;
 use crate::options::FitOptions;
+use crate::report::SensorReport;
+use crate::screening::OtherUnit;
 use dataset::{Dataset, Reading, Sensor, SensorKind};
 
 /// What is recorded in one sample: position, quaternion, angular velocity and specific force.
@@ -200,6 +202,59 @@ fn axes_of_instruments_beside_poses_are_named() {
         let told = told.unwrap_or_default();
         assert!(told.contains(correction), "{told} for {correction}");
     }
+}
+
+/// Turned accelerometers off the axis of the spin: the mean acceleration across it is the centripetal one of another place.
+#[test]
+fn a_turned_accelerometer_beside_a_gyroscope_alone_is_named() {
+    const PLACE: [f64; 3] = [0.02, 0.01, 0.005];
+    let (model, _) = calm_disc(1);
+    type Turn = fn([f64; 3]) -> [f64; 3];
+    let told = |turn: Turn| {
+        let mut dataset = recorded(false, |own| {
+            let rate = Vector3::from(own.rate);
+            let lever = rate.cross(&rate.cross(&Vector3::from(PLACE)));
+            own.with_force(|force| turn((Vector3::from(force) + lever).into()))
+        });
+        dataset.sensors[1].position = PLACE;
+        let faults = found(&model, &dataset);
+        faults.first().map(|own| own.correction.clone())
+    };
+    assert_eq!(told(|own| own), None);
+    let cases: [(Turn, &str); 3] = [
+        (|[x, y, z]| [y, -x, z], "[\"-y\", \"+x\", \"+z\"]"),
+        (|[x, y, z]| [x, z, -y], "[\"+x\", \"-z\", \"+y\"]"),
+        (|[x, y, z]| [-x, -y, z], "[\"-x\", \"-y\", \"+z\"]"),
+    ];
+    for (turn, axes) in cases {
+        let told = told(turn).unwrap_or_default();
+        assert!(told.contains(axes), "{told} for {axes}");
+    }
+}
+
+/// A fit in another unit whose residuals are as large as the readings tells nothing of the unit.
+#[test]
+fn another_unit_is_one_in_which_a_fit_follows_the_readings() {
+    let dataset = recorded(false, |own| own);
+    let others = OtherUnit::undetermined(&dataset);
+    let unit = others.first().expect("units of the accelerometer");
+    let squares = dataset.flights.iter().flat_map(|flight| &flight.readings);
+    let squares =
+        squares.filter_map(|row| row[1].map(|[x, y, z, _]| (x * x + y * y + z * z) / 3.0));
+    let squares: Vec<f64> = squares.collect();
+    let size = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt() * 9.80665;
+    let left = |part: f64| SensorReport {
+        name: "acc".to_owned(),
+        measures: "accelerometer".to_owned(),
+        unit: "m/s^2".to_owned(),
+        rms: part * size,
+        sigma: part * size,
+        lag1_autocorrelation: 0.0,
+        points: squares.len(),
+        outliers: 0,
+    };
+    assert!(unit.is_followed(&dataset, &[left(0.1)]));
+    assert!(!unit.is_followed(&dataset, &[left(1.0)]));
 }
 
 #[test]
