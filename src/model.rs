@@ -222,8 +222,8 @@ impl Model {
     ///
     /// # Errors
     /// [`Error::UnknownName`] if the release sets a parameter or coefficient that the model does not have;
-    /// [`Error::InitialState`] if a quaternion does not have length 1; [`Error::Integration`] if the flight cannot be
-    /// computed.
+    /// [`Error::InitialState`] if a quaternion does not have length 1, or no body has the moments of inertia;
+    /// [`Error::Integration`] if the flight cannot be computed.
     pub fn fly_within(&self, release: &Release, tolerance: f64) -> Result<Flight, Error> {
         let compiled = self.compiled();
         for (name, _) in release.parameters.iter().chain(&release.coefficients) {
@@ -234,7 +234,9 @@ impl Model {
                 });
             }
         }
-        if let Some(fault) = quaternion_fault(&release.initial, self.checked.quaternions()) {
+        let quaternions = self.checked.quaternions();
+        let fault = quaternion_fault(&release.initial, quaternions);
+        if let Some(fault) = fault.or_else(|| release.inertia_fault(&self.checked)) {
             return Err(Error::InitialState(fault));
         }
         let options = IntegrationOptions::with_tolerance(tolerance);

@@ -7,6 +7,7 @@ use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::lower::{Lowered, lower};
 use crate::program::Function;
 use crate::tape_model::TapeFunction;
+use lanes::{Level, Switch};
 use model_spec::model::{Expr, ExprKind, Function as Named, Model};
 
 /// Levels of the argument of an exponential or a hyperbolic tangent. Beyond the last, e^-32 = 1e-14 is a rounding error;
@@ -18,8 +19,8 @@ const SMOOTH_LEVELS: [f64; 6] = [-32.0, -8.0, -2.0, 2.0, 8.0, 32.0];
 pub struct Switches {
     /// Computes the arguments from time, state and parameters, without invariants; one within another comes first.
     pub arguments: TapeFunction,
-    /// Increasing values of each argument that separate the pieces of its functions: knots, zeros.
-    pub levels: Vec<Vec<f64>>,
+    /// Levels of each argument, which separate the pieces of its functions: knots, zeros.
+    pub switches: Vec<Switch>,
 }
 
 impl Switches {
@@ -35,7 +36,7 @@ impl Switches {
             dx,
             ..
         } = lower(model);
-        let (arguments, levels) = collected(&mut graph, &dx, at_times);
+        let (arguments, switches) = collected(&mut graph, &dx, at_times);
         if arguments.is_empty() {
             return None;
         }
@@ -47,7 +48,7 @@ impl Switches {
         };
         Some(Switches {
             arguments: TapeFunction::new(&function),
-            levels,
+            switches,
         })
     }
 }
@@ -75,8 +76,8 @@ fn collected(
     graph: &mut ExprGraph,
     roots: &[NodeId],
     at_times: bool,
-) -> (Vec<NodeId>, Vec<Vec<f64>>) {
-    let (mut arguments, mut levels): (Vec<NodeId>, Vec<Vec<f64>>) = Default::default();
+) -> (Vec<NodeId>, Vec<Switch>) {
+    let (mut arguments, mut switches): (Vec<NodeId>, Vec<Switch>) = Default::default();
     let mut motion = Motion::default();
     for node in graph.reachable(roots) {
         for (argument, own, may_end_steps) in switched(graph, node) {
@@ -87,56 +88,85 @@ fn collected(
             let known = arguments.iter().position(|known| *known == argument);
             let place = known.unwrap_or_else(|| {
                 arguments.push(argument);
-                levels.push(Vec::new());
+                switches.push(Switch::default());
                 arguments.len() - 1
             });
-            levels[place].extend(own);
+            switches[place].levels.extend(own);
         }
     }
-    for own in &mut levels {
-        own.sort_unstable_by(f64::total_cmp);
-        own.dedup();
+    for node in graph.reachable(&arguments) {
+        if let Node::Call(MathFunction::Sin | MathFunction::Cos, phase) = *graph.node(node) {
+            let moves = motion.of(graph, phase);
+            // What the state turns, gusts above all, the steps follow.
+            if moves.by_time && !moves.by_state && !arguments.contains(&phase) {
+                arguments.push(phase);
+                switches.push(Switch {
+                    levels: Vec::new(),
+                    is_phase: true,
+                });
+            }
+        }
     }
-    (arguments, levels)
+    for Switch { levels, .. } in &mut switches {
+        // Of equal ones the kink comes first, and is kept.
+        levels.sort_by(|a, b| a.value.total_cmp(&b.value).then(b.is_kink.cmp(&a.is_kink)));
+        levels.dedup_by_key(|level| level.value);
+    }
+    (arguments, switches)
 }
 
 /// Arguments of the function of a node with their levels, and whether these may be ends of steps if it is a function of
 /// the time alone.
-fn switched(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, Vec<f64>, bool)> {
+fn switched(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, Vec<Level>, bool)> {
     use MathFunction as F;
     if let Node::Product(factors) = graph.node(node) {
         // A power with a half in its exponent is 0 where its base is below 0.
         let odd = factors.iter().filter(|(_, doubled)| doubled % 2 != 0);
         let odd = odd.filter(|(base, _)| !graph.facts(*base).nonneg);
-        return odd.map(|(base, _)| (*base, vec![0.0], false)).collect();
+        return odd.map(|(base, _)| (*base, kinks(&[0.0]), false)).collect();
     }
     match *graph.node(node) {
-        Node::Call(F::Exp | F::Tanh, x) => vec![(x, SMOOTH_LEVELS.to_vec(), false)],
-        Node::Call(F::Asin, x) => vec![(x, vec![-1.0, 1.0], false)],
+        Node::Call(F::Exp | F::Tanh, x) => vec![(x, levels(&SMOOTH_LEVELS, |_| false), false)],
+        Node::Call(F::Asin, x) => vec![(x, kinks(&[-1.0, 1.0]), false)],
         Node::Call(F::Log | F::Sqrt, x) if !graph.facts(x).nonneg => {
-            vec![(x, vec![0.0], false)]
+            vec![(x, kinks(&[0.0]), false)]
         }
         Node::Call(F::Abs | F::Sign | F::Heaviside, x) if !graph.facts(x).nonneg => {
-            vec![(x, vec![0.0], true)]
+            vec![(x, kinks(&[0.0]), true)]
         }
         Node::Call(F::Table(table), x) => {
-            vec![(x, graph.tables().of(table).knots().to_vec(), true)]
+            let is_linear = graph.tables().table(table.table()).is_linear;
+            let own = levels(graph.tables().of(table).knots(), |_| is_linear);
+            vec![(x, own, true)]
         }
         Node::Call2(BinaryFunction::Min | BinaryFunction::Max, a, b) => {
-            vec![(graph.sub(a, b), vec![0.0], true)]
+            vec![(graph.sub(a, b), kinks(&[0.0]), true)]
         }
         Node::Call2(BinaryFunction::Table(table), a, b) => {
-            let knots = graph
-                .tables()
-                .table(table.table())
+            let table = graph.tables().table(table.table());
+            let is_linear = table.is_linear;
+            let knots = table
                 .bicubic()
                 .knots()
-                .map(<[f64]>::to_vec);
+                .map(|knots| levels(knots, |_| is_linear));
             let both = [a, b].into_iter().zip(knots);
             both.map(|(x, own)| (x, own, true)).collect()
         }
         _ => Vec::new(),
     }
+}
+
+/// Levels at `values`; whether the one with an index is a kink.
+fn levels(values: &[f64], is_kink: impl Fn(usize) -> bool) -> Vec<Level> {
+    let level = |(k, &value)| Level {
+        value,
+        is_kink: is_kink(k),
+    };
+    values.iter().enumerate().map(level).collect()
+}
+
+fn kinks(values: &[f64]) -> Vec<Level> {
+    levels(values, |_| true)
 }
 
 /// What a value changes with during a flight.

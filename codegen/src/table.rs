@@ -64,6 +64,8 @@ pub struct CubicTable {
     pub doc: String,
     /// Name and SI unit, as text, of each of the table's arguments.
     pub arguments: Vec<(String, String)>,
+    /// Whether it is of straight lines, whose slope jumps at the knots.
+    pub is_linear: bool,
     /// [`model::Table::fingerprint`].
     pub fingerprint: u64,
     function: TableOf,
@@ -94,6 +96,7 @@ impl CubicTable {
             arguments: arguments
                 .map(|own| (own.name.clone(), own.unit_text.clone()))
                 .collect(),
+            is_linear: table.interpolation == model::Interpolation::Linear,
             fingerprint: table.fingerprint(),
             function,
         }

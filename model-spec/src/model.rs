@@ -4,6 +4,7 @@
 
 mod axes;
 mod cases;
+mod inertia;
 mod parts;
 mod system;
 mod walk;
@@ -17,6 +18,7 @@ use crate::unit::Unit;
 pub use crate::location::Source;
 pub use axes::{BodyAxis, FlightAxes};
 pub use cases::{CheckCase, Expectation, Observable, Target};
+pub use inertia::InertiaTensor;
 pub use parts::{
     AppliedEffect, Claim, ClaimedAttitude, ClaimedRotation, Continuation, EffectUnknown, Function,
     Interpolation, Table, TableArgument,

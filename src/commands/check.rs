@@ -4,11 +4,8 @@ use std::fmt::Write;
 use std::io::IsTerminal;
 
 use codegen::{Comparison, check_cases};
-use flight::throw::ThrownModel;
-use identify::numbers::significant;
-use model_spec::layout::Layout;
 use model_spec::load::inspect;
-use model_spec::model::{Expr, ExprKind, Model};
+use model_spec::model::Model;
 use model_spec::{render, summary};
 
 use crate::cli::Check;
@@ -41,33 +38,7 @@ pub(super) fn run(options: &Check) -> anyhow::Result<Answer> {
 /// What a model declares, the results of its check cases, and whether all of them pass.
 pub fn report(model: &Model) -> (String, bool) {
     let (cases, passes) = cases(model);
-    let fault = inertia_fault(model);
-    let mut text = summary(model) + &cases;
-    if let Some(fault) = &fault {
-        let _ = writeln!(text, "  FAIL  {fault}");
-    }
-    (text, passes && fault.is_none())
-}
-
-/// What is wrong with the products of inertia at the default values.
-pub(super) fn inertia_fault(model: &Model) -> Option<String> {
-    let rotation = model.body.as_ref()?.rotation.as_ref()?;
-    let is_zero =
-        |entry: &Expr| matches!(entry.kind, ExprKind::Number { value, .. } if value == 0.0);
-    let rows = rotation.inertia.iter().enumerate();
-    let mut others = rows.flat_map(|(i, row)| row.iter().enumerate().filter(move |(j, _)| i != *j));
-    if others.all(|(_, entry)| is_zero(entry)) {
-        return None;
-    }
-    let body = ThrownModel::new(model).ok()?;
-    let layout = Layout::new(model);
-    let (parameters, state) = (layout.default_parameters(), layout.default_states());
-    let moments = body.improper_moments(&parameters, &state)?;
-    let [a, b, c] = moments.map(|moment| significant(moment, 5));
-    Some(format!(
-        "the inertia tensor is not positive definite: its principal moments are {a}, {b} and {c} kg m²; check \
-         the signs and sizes of its products of inertia"
-    ))
+    (summary(model) + &cases, passes)
 }
 
 /// Results of the check cases of a model as text, and whether all of them pass.

@@ -220,6 +220,9 @@ pub(super) fn apply_all(
     for set in sets {
         apply(set, model, release)?;
     }
+    if let Some(fault) = release.inertia_fault(model) {
+        bail!("--set: {fault}");
+    }
     let is_set = |state: &usize| {
         let name = &model.states[*state].name;
         let names = sets.iter().filter_map(|set| set.split_once('='));

@@ -130,12 +130,12 @@ fn the_examples_of_the_help_run_one_after_the_other() {
 }
 
 #[test]
-fn a_body_whose_inertia_is_not_positive_definite_is_neither_checked_nor_verified() {
+fn moments_of_inertia_that_no_body_has_are_refused_wherever_they_are_stated() {
     let folder = tempfile::tempdir().expect("a folder");
-    let model = at(folder.path(), "brick.hyz");
-    let text = |product: &str| {
+    let [model, release] = ["brick.hyz", "release.toml"].map(|name| at(folder.path(), name));
+    let text = |product: &str, third: &str| {
         format!(
-            "model brick; param m = 1 kg; param a = 0.02 kg*m^2; param b = 0.03 kg*m^2; param c = 0.04 kg*m^2;
+            "model brick; param m = 1 kg; param a = 0.02 kg*m^2; param b = 0.03 kg*m^2; param c = {third} kg*m^2;
 param I_13 = {product} kg*m^2; param g = 9.81 m/s^2; frame N;
 frame B = N by quaternion (q0, q1, q2, q3);
 body brick {{ mass m; inertia ((a, 0, I_13), (0, b, 0), (I_13, 0, c)) in B; fixed in B;
@@ -143,12 +143,56 @@ position (x, y, z) in N; velocity (vx, vy, vz) in N; angular velocity (p, q, r) 
 force weight = -m*g*N.3;"
         )
     };
-    fs::write(&model, text("0.1")).expect("a model");
-    let (status, _, said) = verify(&[&model, "--cases", "10"]);
-    assert_eq!(status, 1, "{said}");
-    let (checked, printed, _) = told(hyzer().arg("check").arg(&model));
-    assert_eq!(checked, 1, "{printed}");
-    for told in [said, printed] {
-        assert!(told.contains("not positive definite"), "{told}");
+    let wrong = [
+        ("0.1", "0.04", "is not positive definite"),
+        ("0", "0.06", "is that of no body"),
+    ];
+    for (product, third, expected) in wrong {
+        fs::write(&model, text(product, third)).expect("a model");
+        let (status, _, said) = verify(&[&model, "--cases", "10"]);
+        let (checked, _, printed) = told(hyzer().arg("check").arg(&model));
+        assert_eq!((status, checked), (1, 1), "{said}");
+        for told in [said, printed] {
+            assert!(
+                told.contains(expected) && told.contains("brick.hyz:4"),
+                "{told}"
+            );
+        }
     }
+    fs::write(&model, text("0", "0.04")).expect("a model");
+    let flown = |third: &str, sets: &[&str]| {
+        let text = format!(
+            "model = \"brick.hyz\"\nduration = 0.1\n[parameters]\nc = {third}\n[initial]\nx = 0.0\ny = 0.0\nz = 1.0\n\
+             vx = 0.0\nvy = 0.0\nvz = 0.0\nq0 = 1.0\nq1 = 0.0\nq2 = 0.0\nq3 = 0.0\np = 1.0\nq = 2.0\nr = 3.0\n"
+        );
+        fs::write(&release, text).expect("a release");
+        let (status, _, said) = told(hyzer().args(["simulate", "--release", &release]).args(sets));
+        (status, said)
+    };
+    assert_eq!(flown("0.05", &[]).0, 0);
+    for ((status, said), place) in [
+        (flown("0.06", &[]), "release.toml:3:"),
+        (flown("0.04", &["--set", "c=0.06"]), "--set: "),
+    ] {
+        assert_eq!(status, 2, "{said}");
+        assert!(
+            said.contains(place) && said.contains("is that of no body"),
+            "{said}"
+        );
+    }
+    let measured = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
+    for file in fs::read_dir(measured).expect("a dataset") {
+        let file = file.expect("a file").path();
+        let name = file.file_name().expect("a name").to_owned();
+        fs::copy(&file, folder.path().join(name)).expect("a copy");
+    }
+    let dataset = folder.path().join("dataset.toml");
+    let text = fs::read_to_string(&dataset).expect("a dataset");
+    fs::write(&dataset, text.replace("I_a = 0.002352", "I_a = 0.0026")).expect("a dataset");
+    let (status, _, said) = told(hyzer().arg("fit").arg(folder.path()));
+    assert_eq!(status, 2, "{said}");
+    assert!(
+        said.contains("[parameters] of the dataset the inertia tensor is that of no body"),
+        "{said}"
+    );
 }

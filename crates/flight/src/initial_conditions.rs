@@ -98,6 +98,13 @@ impl Release {
         self
     }
 
+    /// Why no body has the inertia tensor of `model` with the values of the release.
+    #[doc(hidden)]
+    pub fn inertia_fault(&self, model: &Model) -> Option<String> {
+        let value = |name: &str, default| self.constants([(name, default)])[0];
+        model.inertia_fault(|own| value(&own.name, own.value))
+    }
+
     /// Values of parameters and coefficients in the order of `defaults` (name and value), overridden by the release.
     #[doc(hidden)]
     pub fn constants<'a>(&self, defaults: impl IntoIterator<Item = (&'a str, f64)>) -> Vec<f64> {

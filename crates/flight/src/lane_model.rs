@@ -15,7 +15,7 @@ use codegen::rust::source_hash;
 use codegen::tape::Inputs;
 use codegen::tape_model::{TapeFunction, TapeModel};
 use generated::{Equations, Visitor};
-use lanes::{Enclosure, Isa, LaneKernel, Lanes};
+use lanes::{Enclosure, Isa, LaneKernel, Lanes, Switch};
 use model_spec::layout::ParamId;
 use model_spec::model::Model;
 use ode::{
@@ -138,8 +138,8 @@ impl LaneModel {
         breaks.sort_unstable_by(f64::total_cmp);
     }
 
-    fn switch_levels(&self) -> &[Vec<f64>] {
-        self.switches.as_ref().map_or(&[], |own| &own.levels)
+    fn switches(&self) -> &[Switch] {
+        self.switches.as_ref().map_or(&[], |own| &own.switches)
     }
 
     fn switch_registers(&self) -> usize {
@@ -232,8 +232,8 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
         self.model.breaks(p, breaks);
     }
 
-    fn switch_levels(&self) -> &[Vec<f64>] {
-        self.model.switch_levels()
+    fn switches(&self) -> &[Switch] {
+        self.model.switches()
     }
 
     fn switch_bounds(
@@ -295,8 +295,8 @@ impl LaneRhs for TapeRhs<'_> {
         self.model.breaks(p, breaks);
     }
 
-    fn switch_levels(&self) -> &[Vec<f64>] {
-        self.model.switch_levels()
+    fn switches(&self) -> &[Switch] {
+        self.model.switches()
     }
 
     fn switch_bounds(

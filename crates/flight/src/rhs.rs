@@ -1,7 +1,7 @@
 //! Right-hand side of a bound model for the solver of the crate `ode`.
 
 use crate::{BoundModel, ModelState, Workspace};
-use lanes::Enclosure;
+use lanes::{Enclosure, Switch};
 use ode::{DifferentiableRhs, OdeRhs, Projection};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -45,8 +45,8 @@ impl OdeRhs for ModelRhs<'_> {
         &self.model.time_breaks
     }
 
-    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
-        DifferentiableRhs::switch_levels(self)
+    fn switches(&self) -> Option<Arc<[Switch]>> {
+        DifferentiableRhs::switches(self)
     }
 
     fn switch_arguments(&mut self, t: f64, x: &ModelState, to: &mut [f64]) {
@@ -99,9 +99,9 @@ impl DifferentiableRhs for ModelRhs<'_> {
         &self.model.time_breaks
     }
 
-    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
+    fn switches(&self) -> Option<Arc<[Switch]>> {
         let switches = self.model.model.switches.as_ref();
-        switches.map(|own| own.levels.clone())
+        switches.map(|own| own.switches.clone())
     }
 
     fn switch_arguments(&mut self, t: f64, x: &[f64], to: &mut [f64]) {

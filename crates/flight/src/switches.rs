@@ -4,24 +4,24 @@ use crate::time_breaks::TimeBreaks;
 use codegen::switches::Switches;
 use codegen::tape::Inputs;
 use codegen::tape_model::TapeFunction;
-use lanes::{Enclosure, Real};
+use lanes::{Enclosure, Real, Switch};
 use model_spec::model::Model;
 use std::sync::Arc;
 
-/// Tape that computes the arguments of a model's switches, and their levels.
+/// Tape that computes the arguments of a model's switches, and what is known of them.
 #[derive(Clone, Debug)]
 pub(crate) struct SwitchTape {
     pub arguments: TapeFunction,
-    pub levels: Arc<[Vec<f64>]>,
+    pub switches: Arc<[Switch]>,
 }
 
 impl SwitchTape {
     /// Switches of a model, with those of the time at which `breaks` end no step; `None` if it has none.
     pub fn of(model: &Model, breaks: &TimeBreaks) -> Option<SwitchTape> {
-        let Switches { arguments, levels } = Switches::of(model, !breaks.is_complete())?;
+        let found = Switches::of(model, !breaks.is_complete())?;
         Some(SwitchTape {
-            arguments,
-            levels: levels.into(),
+            arguments: found.arguments,
+            switches: found.switches.into(),
         })
     }
 

@@ -107,6 +107,9 @@ pub enum FlightError {
         /// Names of all four components of the quaternion.
         components: Vec<String>,
     },
+    /// No body has the moments of inertia that are given as known, for the stated reason.
+    #[error("with its known values {0}")]
+    Inertia(String),
     /// Too few samples determine the pose of the rigid body, so that there is no initial guess.
     #[error(
         "only {found} of its samples show three markers that are not collinear, and an initial guess needs {needed}"
@@ -272,6 +275,9 @@ pub enum FitError {
         /// Reason, as text for the message.
         reason: String,
     },
+    /// No body has the moments of inertia that the dataset gives, for the stated reason.
+    #[error("with the constants in [parameters] of the dataset {0}")]
+    Inertia(String),
     /// The model has no measurement equation for a sensor of the dataset.
     #[error("the model {model} has no reading for the dataset's sensors: {reason}")]
     Sensor {

@@ -119,7 +119,8 @@ impl FitProblem {
     /// [`FitError::UnknownName`] for a name that the model does not have; [`FitError::NotEstimated`] for a prior or
     /// profile of a fixed parameter; [`FitError::Constraint`] for one in a constraint; [`FitError::NoObservation`] without a measurement equation; [`FitError::Sensor`]
     /// without one for a sensor; [`FitError::AttitudeNotObservable`] if the markers do not determine the attitude;
-    /// [`FitError::Flight`] if the known values of a flight do not match.
+    /// [`FitError::Flight`] if the known values of a flight do not match; [`FitError::Inertia`] for moments of inertia of
+    /// no body.
     pub fn new(
         model: &Model,
         dataset: &Dataset,
@@ -301,6 +302,12 @@ impl FitProblem {
                 }
             }
         }
+        if !found.parameters.is_empty() {
+            let mut all = self.parameters.clone();
+            { found.parameters.iter() }.for_each(|(id, value)| all[id.index()] = *value);
+            let fault = inertia_fault(&self.model, self.body.layout(), &all);
+            fault.map_or(Ok(()), |fault| Err(FlightError::Inertia(fault)))?;
+        }
         self.free_unknowns(flight, unknown, &mut found);
         self.check_quaternions(&found.states)?;
         let is_known = |id: ParamId| found.parameters.iter().any(|(known, _)| *known == id);
@@ -456,5 +463,16 @@ fn known_constants(
         })?;
         parameters[id.index()] = value;
     }
-    Ok(parameters)
+    match inertia_fault(model, layout, &parameters).filter(|_| !dataset.parameters.is_empty()) {
+        Some(fault) => Err(FitError::Inertia(fault)),
+        None => Ok(parameters),
+    }
+}
+
+/// Why no body has the inertia tensor of the model with the values `parameters`.
+fn inertia_fault(model: &Model, layout: &Layout, parameters: &[f64]) -> Option<String> {
+    model.inertia_fault(|own| {
+        let id = layout.parameter(&own.name);
+        id.map_or(own.value, |id| parameters[id.index()])
+    })
 }

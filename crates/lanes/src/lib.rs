@@ -38,6 +38,7 @@ mod portable;
 mod primitive;
 mod real;
 mod scalar;
+mod switch;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
@@ -48,3 +49,4 @@ pub use isa::Isa;
 pub use kernel::{Kernel, ScalarKernel};
 pub use primitive::LaneKernel;
 pub use real::{ElementaryFunction, Lanes, Real};
+pub use switch::{Level, Switch};

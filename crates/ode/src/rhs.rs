@@ -1,7 +1,7 @@
 //! Right-hand side of an ordinary differential equation dx/dt = f(t, x).
 
 use crate::projection::Projection;
-use lanes::Enclosure;
+use lanes::{Enclosure, Switch};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -38,9 +38,9 @@ pub trait OdeRhs {
         &[]
     }
 
-    /// Increasing levels of each of the arguments that [`switch_arguments`](Self::switch_arguments) computes: between two
-    /// of them f may differ from what it is on both sides, and a step that passes both looks there. None by default.
-    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
+    /// Levels of each of the arguments that [`switch_arguments`](Self::switch_arguments) computes: between two of them f may
+    /// differ from what it is on both sides, and a step that passes both, or a kink, looks there. None by default.
+    fn switches(&self) -> Option<Arc<[Switch]>> {
         None
     }
 

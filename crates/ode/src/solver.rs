@@ -128,7 +128,7 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
             dense_buffer: Vec::new(),
             scratch: x.clone(),
             stepper: Stepper::new(options.method, x, dx),
-            watch: rhs.switch_levels().map(Watch::new),
+            watch: rhs.switches().map(Watch::new),
             log: EventLog::default(),
             stats: SolverStats {
                 evaluations,
@@ -211,6 +211,8 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
                 true => self.overlooked(end),
                 false => None,
             };
+            // A part too short for a step may be flown over.
+            let overlooked = overlooked.filter(|cut| end.h * cut > self.min_step);
             if error <= 1.0 && overlooked.is_none() {
                 self.stats.steps += 1;
                 let (factor, memory) = self.gains.after_accepted(self.memory, error);

@@ -37,7 +37,7 @@ pub struct Tree<'a, T> {
     /// Unknowns of the model's systems, and how well their equations determine them.
     unknowns: Vec<Vec<T>>,
     determinacies: Vec<f64>,
-    tables: Vec<Lookup>,
+    tables: Vec<Lookup<'a>>,
     /// Derivatives of the states of the body by its laws, with loads and without, once they are asked for.
     body_rates: [OnceCell<Vec<T>>; 2],
     /// Number of the infinitesimals that are in use, by derivatives around this evaluation.
@@ -45,13 +45,13 @@ pub struct Tree<'a, T> {
 }
 
 /// Interpolated table of a model.
-enum Lookup {
-    One(Interpolant),
-    Two(Surface),
+enum Lookup<'a> {
+    One(Interpolant<'a>),
+    Two(Surface<'a>),
 }
 
-impl Lookup {
-    fn new(table: &Table) -> Lookup {
+impl<'a> Lookup<'a> {
+    fn new(table: &'a Table) -> Self {
         match table.arguments.len() {
             1 => Lookup::One(Interpolant::new(table)),
             _ => Lookup::Two(Surface::new(table)),

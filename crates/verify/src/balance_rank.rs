@@ -63,9 +63,12 @@ fn rank(values: &[f64], columns: usize) -> usize {
     for mut column in matrix.column_iter_mut() {
         let _ = column.try_normalize_mut(0.0);
     }
+    // With fewer rows than columns the triangle has no diagonal of its own.
     let triangle = matrix.col_piv_qr().r();
-    let pivots = triangle.diagonal().abs();
-    let least = RANK_TOLERANCE * pivots.max();
+    let pivots: Vec<f64> = (0..rows.min(columns))
+        .map(|k| triangle[(k, k)].abs())
+        .collect();
+    let least = RANK_TOLERANCE * pivots.iter().fold(0.0, |a: f64, b| a.max(*b));
     pivots.iter().filter(|own| **own > least).count()
 }
 

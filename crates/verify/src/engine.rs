@@ -82,6 +82,11 @@ impl Equations for Engine {
         let all = [f, observe].map(|program| evaluation::outputs(program, &inputs));
         all.concat().iter().map(|output| output.magnitude).collect()
     }
+
+    fn overflowing(&self, point: &Point<f64>) -> Option<Vec<f64>> {
+        let [prepare, f, observe] = &self.programs;
+        Some(evaluation::overflowing(prepare, [f, observe], point, |_| true)?.concat())
+    }
 }
 
 /// State derivatives and observation of a model as one program.

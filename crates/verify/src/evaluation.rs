@@ -178,17 +178,37 @@ fn step<T: Arithmetic>(tables: &Tables, op: Op, value: impl Fn(Operand) -> T) ->
 
 /// Whether an exponential in one of the functions of a compiled model is a number beyond the range of `f64` at a point.
 pub fn exponential_overflows(compiled: &Compiled, point: &Point<f64>) -> bool {
+    let is_exponential = |op| matches!(op, Op::Unary(Unary::Call(MathFunction::Exp), _));
+    let programs = compiled.functions().map(|function| &function.program);
+    let prepare = &compiled.prepare.program;
+    overflowing(prepare, programs, point, is_exponential).is_some()
+}
+
+/// Outputs of programs, which read the results of `prepare`, computed in 256 bits; `None` unless the result of one of the
+/// operations `of` is a number beyond the range of `f64`, so that what `f64` gives may be anything.
+pub fn overflowing<'a>(
+    prepare: &Program,
+    programs: impl IntoIterator<Item = &'a Program>,
+    point: &Point<f64>,
+    of: impl Fn(Op) -> bool,
+) -> Option<Vec<Vec<f64>>> {
     with_numbers(|| {
         let mut inputs = Inputs::<Big>::of(&point.lift());
-        inputs.prepared = outputs(&compiled.prepare.program, &inputs);
-        let is_exponential = |op| matches!(op, Op::Unary(Unary::Call(MathFunction::Exp), _));
-        compiled.functions().into_iter().any(|function| {
-            let values = evaluated(&function.program, &inputs);
-            let mut statements = function.program.statements.iter().zip(values);
-            statements.any(|(statement, value)| {
-                is_exponential(statement.op) && value.is_finite() && value.re().is_infinite()
-            })
-        })
+        inputs.prepared = outputs(prepare, &inputs);
+        let mut overflows = false;
+        let each = programs.into_iter().map(|program| {
+            let temps = evaluated(program, &inputs);
+            let mut steps = program.statements.iter().zip(&temps);
+            overflows |= steps.any(|(statement, value)| {
+                of(statement.op) && value.is_finite() && value.re().is_infinite()
+            });
+            let outputs = program.outputs.iter();
+            outputs
+                .map(|&output| self::value(output, &inputs, &temps).re())
+                .collect()
+        });
+        let each: Vec<Vec<f64>> = each.collect();
+        overflows.then_some(each)
     })
 }
 

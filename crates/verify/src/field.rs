@@ -119,13 +119,16 @@ fn multiple_of_pi(c: f64) -> Option<Prime> {
     })
 }
 
-/// The rational number n/d that rounds to `c`, where d is at most 1000 or a power of ten up to 1e15.
+/// The rational number n/d that rounds to `c`, where d is at most 1000 or a power of ten up to 1e15; a decimal of many
+/// places is none that is a multiple of π: 270 degrees are 4.71238898038469.
 pub fn constant(c: f64) -> Option<Prime> {
-    let decimals = (4..=15).map(|k| 10_i64.pow(k));
-    (1..=1000).chain(decimals).find_map(|d| {
+    let fraction = |d: i64| {
         let n = (c * d as f64).round();
         (n.abs() < 1e15 && n / d as f64 == c).then(|| Prime::integer(n as i64) / Prime::integer(d))
-    })
+    };
+    let decimal = || (4..=15).find_map(|k| fraction(10_i64.pow(k)));
+    let decimal = || decimal().filter(|_| multiple_of_pi(c).is_none());
+    (1..=1000).find_map(fraction).or_else(decimal)
 }
 
 /// Common denominator of the numbers that [`small_number`] knows: decimals of up to three places, eighths and ninths.

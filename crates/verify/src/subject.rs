@@ -23,6 +23,11 @@ pub trait Equations: Sync {
     fn magnitudes(&self, _point: &Point<f64>) -> Vec<f64> {
         Vec::new()
     }
+    /// State derivatives and observation in 256 bits, if a number on the way to them is beyond the range of `f64`; `None`
+    /// also if unknown.
+    fn overflowing(&self, _point: &Point<f64>) -> Option<Vec<f64>> {
+        None
+    }
 }
 
 /// A model to be checked, its equations of motion, and its reference law.

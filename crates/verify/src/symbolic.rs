@@ -175,12 +175,12 @@ impl Real for Symbolic {
     }
 
     fn interpolated(self, table: &Interpolant, order: u8) -> Self {
-        self.map(|a| symbol(|| field::table(table.fingerprint, order, a)))
+        self.map(|a| symbol(|| field::table(table.fingerprint(), order, a)))
     }
 
     fn on_surface(self, other: Self, table: &Surface, orders: [u8; 2]) -> Self {
         self.with(other, |a, b| {
-            symbol(|| field::surface(table.fingerprint, orders, [a, b]))
+            symbol(|| field::surface(table.fingerprint(), orders, [a, b]))
         })
     }
 

@@ -204,29 +204,8 @@ impl<'a> Checker<'a> {
                 continue;
             };
             let earlier = self.diagnostics.len();
-            let entries = self.inertia_entries(inertia, span);
+            self.inertia_entries(inertia, span);
             self.replaced(earlier, span);
-            let Some(entries) = entries else {
-                continue;
-            };
-            let values = entries
-                .each_ref()
-                .map(|row| row.each_ref().map(|e| self.value(e)));
-            if let [
-                [Some(a), Some(b), Some(c)],
-                [_, Some(d), Some(e)],
-                [.., Some(f)],
-            ] = values
-                && (a * d <= b * b
-                    || a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d) <= 0.0)
-            {
-                let message = format!(
-                    "the inertia tensor of `{}` is not positive definite by default",
-                    body.name.text
-                );
-                let fault = Diagnostic::new(Kind::Value, span, message);
-                self.report(fault.help("check the signs and sizes of the products of inertia"));
-            }
         }
     }
 
@@ -270,7 +249,7 @@ impl<'a> Checker<'a> {
             return self.refuse(Diagnostic::new(Kind::Value, e.span, message).help(help));
         }
         if !signed
-            && let Some(value) = self.value(&typed.expr)
+            && let Some(value) = self.model.constant(&typed.expr, &|own| own.value)
             && (value <= 0.0 || value.is_nan())
         {
             let message = format!(
@@ -308,21 +287,6 @@ impl<'a> Checker<'a> {
                 found
             }
         }
-    }
-
-    /// Value at the default parameters, SI; `None` for operations other than + − * /.
-    fn value(&self, e: &Expr) -> Option<f64> {
-        Some(match &e.kind {
-            ExprKind::Number { value, .. } => *value,
-            ExprKind::Param(i) => self.model.params[*i].value,
-            ExprKind::Coefficient(i) => self.model.coefficients[*i].value,
-            ExprKind::Neg(a) => -self.value(a)?,
-            ExprKind::Add(a, b) => self.value(a)? + self.value(b)?,
-            ExprKind::Sub(a, b) => self.value(a)? - self.value(b)?,
-            ExprKind::Mul(a, b) => self.value(a)? * self.value(b)?,
-            ExprKind::Div(a, b) => self.value(a)? / self.value(b)?,
-            _ => return None,
-        })
     }
 }
 

@@ -231,12 +231,13 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Entries of an inertia tensor, kg m²; reports entries that are invalid or not symmetric.
+    /// Entries of an inertia tensor, kg m²; reports entries that are invalid, not symmetric, or those of no body.
     pub fn inertia_entries(
         &mut self,
         inertia: &ast::Inertia,
         span: Span,
     ) -> Option<[[Expr; 3]; 3]> {
+        let earlier = self.diagnostics.len();
         let mut rows: [[Option<Expr>; 3]; 3] = Default::default();
         for (i, row) in inertia.rows.iter().enumerate() {
             for (j, entry) in row.iter().enumerate() {
@@ -268,6 +269,10 @@ impl<'a> Checker<'a> {
                 );
                 return self.refuse(Diagnostic::new(Kind::Value, span, message));
             }
+        }
+        let fault = self.model.tensor_fault(&matrix, &|own| own.value);
+        if let Some(fault) = fault.filter(|_| self.diagnostics.len() == earlier) {
+            self.report(Diagnostic::new(Kind::Value, span, fault));
         }
         Some(matrix)
     }

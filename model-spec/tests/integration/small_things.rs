@@ -208,7 +208,7 @@ fn mass_and_inertia_of_each_body_are_checked() {
                velocity (u2, v2, w2) in N; angular velocity (p, q, r) in C; }}"
         )
     };
-    let right = "((2, 0.5, 0), (0.5, 1, 0), (0, 0, 1)) kg*m^2";
+    let right = "((2, 0.5, 0), (0.5, 2, 0), (0, 0, 1.6)) kg*m^2";
     from_text("pair.hyz", &text("1 kg", right), &[]).unwrap_or_else(|error| panic!("{error}"));
     for (mass, inertia, expected) in [
         ("-1 kg", right, "the mass must be positive"),
@@ -221,8 +221,9 @@ fn mass_and_inertia_of_each_body_are_checked() {
         (
             "1 kg",
             "((1, 5, 0), (5, 1, 0), (0, 0, 1)) kg*m^2",
-            "of `second` is not positive definite",
+            "is not positive definite",
         ),
+        ("1 kg", "diag(1, 1, 2.1) kg*m^2", "is that of no body"),
         (
             "1 kg",
             "((1, 0.9, 0.9), (0.9, 1, -0.9), (0.9, -0.9, 1)) kg*m^2",

@@ -28,12 +28,15 @@ const ROUND: f64 = 1e-9;
 /// Reason why the motion of a body cannot be linearised.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StabilityError {
-    /// The model has no body, or none of its states has the requested motion.
+    /// None of the states of the model has the requested motion.
     #[error(transparent)]
     Throw(#[from] ThrowError),
-    /// The model is a point mass, which has no attitude.
-    #[error("the model {0} is a point mass, which has no attitude; expected a rigid body")]
-    PointMass(String),
+    /// The model has no body, or one without attitude.
+    #[error(
+        "the model {0} has no body that turns, whose modes could be found; expected a rigid one, by `body` or by a \
+         `claim` of what its states stand for"
+    )]
+    NoRigidBody(String),
     /// The states do not reach every motion of a free rigid body near the state.
     #[error(
         "the motion of {0} is constrained: its states do not reach every small change of position, velocity, \
@@ -61,12 +64,13 @@ impl Body {
     /// Compiles a model for linearisation.
     ///
     /// # Errors
-    /// [`StabilityError::Throw`] if the model has no body, [`StabilityError::PointMass`] if its body has no attitude.
+    /// [`StabilityError::NoRigidBody`] if the model has no body, or one without attitude.
     pub fn new(model: Model) -> Result<Body, StabilityError> {
-        let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
-        if !thrown.has_attitude() {
-            return Err(StabilityError::PointMass(model.name.clone()));
-        }
+        let thrown = ThrownModel::new(&model).ok();
+        let Some(thrown) = thrown.filter(ThrownModel::has_attitude) else {
+            return Err(StabilityError::NoRigidBody(model.name));
+        };
+        let compiled = CompiledModel::new(&model);
         Ok(Body {
             model,
             compiled,

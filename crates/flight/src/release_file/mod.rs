@@ -176,7 +176,12 @@ impl<'t> Reader<'t> {
             known,
             inputs,
         };
-        if is_throw {
+        let model = vocabulary.model.as_deref();
+        if let Some(fault) = model.and_then(|model| release.inertia_fault(model)) {
+            let stated = ["parameters", "coefficients"].map(|key| document.get(key));
+            let place = stated.into_iter().flatten().next();
+            self.fault(place.map_or(name.span(), toml::Spanned::span), fault);
+        } else if is_throw {
             self.throw(document, &vocabulary, &mut release);
         }
         Some((release, vocabulary))

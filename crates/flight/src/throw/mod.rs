@@ -341,14 +341,6 @@ impl ThrownModel {
         self.bind(parameters).inertia(state)
     }
 
-    /// Principal moments of inertia at a state, kg m², if they are not all positive; otherwise `None`.
-    pub fn improper_moments(&self, parameters: &[f64], state: &[f64]) -> Option<[f64; 3]> {
-        let inertia = self.inertia(state, parameters)?;
-        let moments = ((inertia + inertia.transpose()) / 2.0).symmetric_eigenvalues();
-        let are_positive = moments.iter().all(|moment| *moment > 0.0);
-        (!are_positive).then_some(moments.into())
-    }
-
     /// State that has a given motion; the search starts at `near` if it is given.
     ///
     /// # Errors

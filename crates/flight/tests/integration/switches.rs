@@ -185,20 +185,8 @@ fn sensitivities_and_lanes_see_what_the_state_sees() {
         let mut seed = 2;
         let places: Vec<[f64; 2]> = (0..16).map(|_| placed(&mut seed)).collect();
         for options in methods() {
-            let mut queue = Queue {
-                compiled: &compiled,
-                places: &places,
-                next: 0,
-                ends: vec![f64::NAN; places.len()],
-            };
-            let span = FlightSpan {
-                t_end: PATH,
-                height: None,
-                seeks_apex: false,
-                until_ground: false,
-            };
-            lanes.fly(&mut queue, &span, &options, None);
-            for (at, in_lane) in places.iter().zip(queue.ends) {
+            let ends = in_lanes(&lanes, &compiled, &places, &options);
+            for (at, in_lane) in places.iter().zip(ends) {
                 let expected = expected(&compiled, *at);
                 // The drift is proportional to the coefficient, which is 2.
                 let by_coefficient = 2.0 * derivative(&compiled, *at, &options);
@@ -211,6 +199,86 @@ fn sensitivities_and_lanes_see_what_the_state_sees() {
                     );
                 }
             }
+        }
+    }
+}
+
+/// Results in lanes.
+fn in_lanes(
+    lanes: &LaneModel,
+    compiled: &CompiledModel,
+    places: &[[f64; 2]],
+    options: &IntegrationOptions,
+) -> Vec<f64> {
+    let mut queue = Queue {
+        compiled,
+        places,
+        next: 0,
+        ends: vec![f64::NAN; places.len()],
+    };
+    let span = FlightSpan {
+        t_end: PATH,
+        height: None,
+        seeks_apex: false,
+        until_ground: false,
+    };
+    lanes.fly(&mut queue, &span, options, None);
+    queue.ends
+}
+
+/// Greatest error at a jump or a kink, in tolerances.
+const OFF_AT_A_KINK: f64 = 30.0;
+
+#[test]
+fn a_kink_is_as_exact_as_the_tolerance() {
+    let kinks = [
+        "step(s - c)",
+        "max(s - c, 0)/c",
+        "abs(s - c)/c",
+        "sqrt((s - c)/c)",
+        "layer(1 + 0.2*(s - c)/c)",
+        "step((s/c)^2 - 1)",
+    ];
+    for feature in kinks {
+        let model = from_text("probe", &text(feature), &[]).expect("a model");
+        let (compiled, lanes) = (CompiledModel::new(&model), LaneModel::new(&model));
+        let mut seed = 3;
+        let places: Vec<[f64; 2]> = (0..40).map(|_| placed(&mut seed)).collect();
+        for options in methods() {
+            let ends = in_lanes(&lanes, &compiled, &places, &options);
+            for (at, in_lane) in places.iter().zip(ends) {
+                let exact = IntegrationOptions::with_tolerance(1e-12);
+                let expected = flown(&compiled, *at, &exact).state[1];
+                let alone = flown(&compiled, *at, &options).state[1];
+                for found in [alone, in_lane] {
+                    let error = (found - expected).abs() / expected.abs().max(1.0);
+                    assert!(
+                        error < OFF_AT_A_KINK * options.rtol,
+                        "{feature}, {:?}, {at:?}: {error:e}",
+                        options.method
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Three values of a step of a train of pulses, whose period is shorter than the step, show none.
+#[test]
+fn periodic_pulses_are_seen() {
+    // The mean of the pulses is arccos(0.9)/π.
+    let mean = 2.0 * 0.9_f64.acos() / std::f64::consts::PI;
+    let expected = mean * 500.0 * (1.0 - (-PATH / 500.0).exp());
+    let model = from_text("probe", &text("step(sin(pi*time/(1 [s])) - 0.9)"), &[]);
+    let model = model.expect("a model");
+    let (compiled, lanes) = (CompiledModel::new(&model), LaneModel::new(&model));
+    let at = [500.0, 10.0];
+    for options in methods() {
+        let alone = flown(&compiled, at, &options).state[1];
+        let in_lane = in_lanes(&lanes, &compiled, &[at], &options)[0];
+        for found in [alone, in_lane] {
+            let error = (found - expected).abs() / expected;
+            assert!(error < MISSED, "{:?}: {found} {expected}", options.method);
         }
     }
 }
@@ -334,7 +402,7 @@ fn ordinary_models_cost_no_more_evaluations() {
         let release = release.expect("a release");
         let model = CompiledModel::new(&bare);
         let bound = model.bind(model.release_parameters(&release));
-        assert!(bound.rhs().switch_levels().is_none(), "{body}");
+        assert!(bound.rhs().switches().is_none(), "{body}");
         let (mut with, mut without) = (0, 0);
         for effect in &effects {
             let Ok(model) = model_spec::load::load(body, &[effect]) else {
@@ -342,7 +410,7 @@ fn ordinary_models_cost_no_more_evaluations() {
             };
             let model = CompiledModel::with_derivatives_by(&model, Vec::new());
             let bound = model.bind(model.release_parameters(&release));
-            if bound.rhs().switch_levels().is_none() {
+            if bound.rhs().switches().is_none() {
                 continue;
             }
             let mut start = model.layout().default_states();

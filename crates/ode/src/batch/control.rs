@@ -165,6 +165,11 @@ impl Control {
         self.proposed[lane] > self.min_step
     }
 
+    /// Whether the part `cut` of a step is long enough for a step; one that is not may fly over what is in it.
+    pub(crate) fn may_cut(&self, lane: usize, cut: f64) -> bool {
+        self.h[lane] * cut > self.min_step
+    }
+
     /// Updates time and value of the maximum height of the flight in a lane.
     #[inline(always)]
     pub(crate) fn rise(&mut self, lane: usize, time: f64, height: f64) {

@@ -2,7 +2,7 @@
 //! once for each lane type and model.
 
 use super::{LanePoint, LaneRhs, LaneSizes};
-use lanes::{Enclosure, LaneKernel, Lanes};
+use lanes::{Enclosure, LaneKernel, Lanes, Switch};
 
 /// Function of a [`LaneRhs`], with its arguments.
 #[derive(Clone, Copy)]
@@ -18,7 +18,7 @@ pub(crate) enum Call<'a, T> {
 pub(crate) trait LaneFunctions<T> {
     fn sizes(&self) -> LaneSizes;
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>);
-    fn switch_levels(&self) -> &[Vec<f64>];
+    fn switches(&self) -> &[Switch];
     fn switch_bounds(&self, t: Enclosure, x: &[Enclosure], p: &[f64], to: &mut [Enclosure])
     -> bool;
     fn call(&self, call: Call<'_, T>, scratch: &mut [T], to: &mut [T]);
@@ -33,8 +33,8 @@ impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
         LaneRhs::time_breaks(self, p, breaks);
     }
 
-    fn switch_levels(&self) -> &[Vec<f64>] {
-        LaneRhs::switch_levels(self)
+    fn switches(&self) -> &[Switch] {
+        LaneRhs::switches(self)
     }
 
     fn switch_bounds(

@@ -121,7 +121,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
             end: zeros(sizes.states),
             within: zeros(sizes.states),
             margins: [0; 3].map(|_| zeros(sizes.limits)),
-            watch: Watch::new(rhs.switch_levels().len(), sizes.states),
+            watch: Watch::new(rhs.switches().len(), sizes.states),
             scratch: zeros(sizes.scratch),
             heights: [HeightEnds::default(); MAX_LANES],
             state: vec![0.0; sizes.states],
@@ -206,7 +206,8 @@ impl<'a, T: Lanes> Flying<'a, T> {
         let mut cuts = [None; MAX_LANES];
         for lane in 0..T::WIDTH {
             if may_have_cells[lane] {
-                cuts[lane] = self.overlooked(lane, h);
+                let cut = self.overlooked(lane, h);
+                cuts[lane] = cut.filter(|cut| self.control.may_cut(lane, *cut));
             }
         }
         let accepted = self.judge(&errors, &cuts, queue);

@@ -16,7 +16,7 @@ mod staging;
 
 use crate::input::is_valid;
 use crate::options::{IntegrationOptions, SolverStats};
-use lanes::{Enclosure, Isa, Lanes, dispatch_widest, dispatch_with};
+use lanes::{Enclosure, Isa, Lanes, Switch, dispatch_widest, dispatch_with};
 
 /// Lengths of the arrays that a [`LaneRhs`] reads and writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,11 +62,11 @@ pub trait LaneRhs {
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
         let _ = (p, breaks);
     }
-    /// Levels of the arguments of switches, as [`OdeRhs::switch_levels`](crate::OdeRhs::switch_levels).
-    fn switch_levels(&self) -> &[Vec<f64>] {
+    /// Levels of the arguments of switches, as [`OdeRhs::switches`](crate::OdeRhs::switches).
+    fn switches(&self) -> &[Switch] {
         &[]
     }
-    /// Writes the arguments of switches, one for each of the [`switch_levels`](Self::switch_levels).
+    /// Writes the arguments of switches, one for each of the [`switches`](Self::switches).
     #[inline(always)]
     fn switch_arguments<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]) {
         let _ = (at, scratch, to);

@@ -8,7 +8,7 @@ use self::jacobian_product::JacobianProduct;
 use self::projected::ProjectedSensitivities;
 use crate::projection::Projection;
 use crate::{AlignedVec, OdeRhs};
-use lanes::Enclosure;
+use lanes::{Enclosure, Switch};
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
@@ -35,8 +35,8 @@ pub trait DifferentiableRhs {
     fn projection(&self) -> Option<Projection>;
     /// Times at which f may jump, as [`OdeRhs::time_breaks`].
     fn time_breaks(&self) -> &[f64];
-    /// Levels of the arguments of switches, as [`OdeRhs::switch_levels`].
-    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
+    /// Levels of the arguments of switches, as [`OdeRhs::switches`].
+    fn switches(&self) -> Option<Arc<[Switch]>> {
         None
     }
     /// Arguments of switches, as [`OdeRhs::switch_arguments`].
@@ -223,8 +223,8 @@ impl OdeRhs for Sensitivities<'_> {
         self.rhs.time_breaks()
     }
 
-    fn switch_levels(&self) -> Option<Arc<[Vec<f64>]>> {
-        self.rhs.switch_levels()
+    fn switches(&self) -> Option<Arc<[Switch]>> {
+        self.rhs.switches()
     }
 
     fn switch_arguments(&mut self, t: f64, augmented: &AlignedVec, to: &mut [f64]) {

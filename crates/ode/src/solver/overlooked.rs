@@ -3,24 +3,24 @@
 use super::Solver;
 use crate::OdeRhs;
 use crate::dense_output::{DenseOutput, HermiteStep};
-use crate::switches::{Arguments, Cell, MAX_OVERLOOKED, Path, cells, may_have_cells};
+use crate::switches::{Passed, Path, greatest, may_have_cells, overlooked};
 use crate::time_breaks::StepEnd;
-use lanes::Enclosure;
+use lanes::{Enclosure, Switch};
 use std::sync::Arc;
 
 /// Arguments of switches in the current step.
 pub(super) struct Watch {
-    levels: Arc<[Vec<f64>]>,
+    switches: Arc<[Switch]>,
     /// Arguments at the start, in the middle and at the end of the step.
     points: [Vec<f64>; 3],
     is_start_known: bool,
 }
 
 impl Watch {
-    pub fn new(levels: Arc<[Vec<f64>]>) -> Watch {
-        let points = [0; 3].map(|_| vec![0.0; levels.len()]);
+    pub fn new(switches: Arc<[Switch]>) -> Watch {
+        let points = [0; 3].map(|_| vec![0.0; switches.len()]);
         Watch {
-            levels,
+            switches,
             points,
             is_start_known: false,
         }
@@ -68,18 +68,18 @@ impl<D: OdeRhs> Solver<'_, '_, D> {
         within(0.5, middle);
         within(1.0, last);
         let points = [&**first, &**middle, &**last];
-        if !may_have_cells(&watch.levels, points) {
+        if !may_have_cells(&watch.switches, points) {
             return None;
         }
         self.overlooked_cell(end)
     }
 
-    /// Middle of the first cell whose rate is not that of the step.
+    /// As [`overlooked`](Self::overlooked), of a step that may have cells.
     #[cold]
     fn overlooked_cell(&mut self, end: StepEnd) -> Option<f64> {
-        let levels = self.watch.as_ref()?.levels.clone();
+        let switches = self.watch.as_ref()?.switches.clone();
         let (t, h, tolerance) = (self.t, end.h, self.tolerance);
-        let (tableau, mut rate) = (self.stepper.tableau, self.stepper.x.clone());
+        let (tableau, rate) = (self.stepper.tableau, self.stepper.x.clone());
         let scales: Vec<f64> = {
             let (x, x_end) = (self.stepper.x.as_ref(), self.stepper.x_end().as_ref());
             let controlled = x.iter().zip(x_end).take(tolerance.controlled_len);
@@ -96,38 +96,35 @@ impl<D: OdeRhs> Solver<'_, '_, D> {
             rows,
             projection: self.projection.as_deref(),
         };
-        let mut arguments = OnPath {
+        let mut passed = OnPath {
             rhs: self.rhs,
             path: Path::of(&step),
+            step,
             state: &mut self.scratch,
+            rate,
+            scales,
+            evaluations: &mut self.stats.evaluations,
             bounds: Vec::new(),
         };
-        for Cell { middle: s, width } in cells(&levels, &mut arguments) {
-            step.state(s, self.scratch.as_mut());
-            self.rhs.derivative(t + s * h, &self.scratch, &mut rate);
-            self.stats.evaluations += 1;
-            let rate = rate.as_ref();
-            let change = |i: usize| width * (h * rate[i] - step.slope(s, i)).abs();
-            // Not a number counts as seen too little of.
-            let is_seen = |(i, scale): (usize, &f64)| change(i) <= MAX_OVERLOOKED * scale;
-            if !scales.iter().enumerate().all(is_seen) {
-                return Some(s);
-            }
-        }
-        None
+        overlooked(&switches, &mut passed)
     }
 }
 
-/// Arguments of switches on the path of a step.
+/// Step on the path of its dense output.
 struct OnPath<'a, D: OdeRhs> {
     rhs: &'a mut D,
     path: Path,
+    step: DenseOutput<'a>,
     state: &'a mut D::State,
+    rate: D::State,
+    /// Tolerated errors of the components of the state.
+    scales: Vec<f64>,
+    evaluations: &'a mut usize,
     bounds: Vec<Enclosure>,
 }
 
-impl<D: OdeRhs> Arguments for OnPath<'_, D> {
-    fn at(&mut self, s: f64, to: &mut [f64]) {
+impl<D: OdeRhs> Passed for OnPath<'_, D> {
+    fn arguments(&mut self, s: f64, to: &mut [f64]) {
         for (x, value) in self.state.as_mut().iter_mut().zip(self.path.state(s)) {
             *x = value;
         }
@@ -137,5 +134,16 @@ impl<D: OdeRhs> Arguments for OnPath<'_, D> {
     fn bounds(&mut self, part: (f64, f64), to: &mut [Enclosure]) -> bool {
         let time = self.path.bounds(part, &mut self.bounds);
         self.rhs.switch_bounds(time, &self.bounds, to)
+    }
+
+    fn deviation(&mut self, s: f64) -> f64 {
+        let h = self.step.h;
+        self.step.state(s, self.state.as_mut());
+        let t = self.step.t + s * h;
+        self.rhs.derivative(t, self.state, &mut self.rate);
+        *self.evaluations += 1;
+        let rates = self.rate.as_ref().iter().zip(&self.scales).enumerate();
+        let each = rates.map(|(i, (rate, scale))| (h * rate - self.step.slope(s, i)).abs() / scale);
+        each.fold(0.0, greatest)
     }
 }

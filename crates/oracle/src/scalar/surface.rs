@@ -9,18 +9,17 @@ use model_spec::model::Table;
 
 /// Interpolated table of two arguments.
 #[derive(Clone, Debug)]
-pub struct Surface {
-    /// Hash of the interpolated surface ([`Table::fingerprint`]).
-    pub fingerprint: u64,
+pub struct Surface<'a> {
+    table: &'a Table,
     /// Curve along the second argument at each knot of the first.
-    rows: Vec<Interpolant>,
+    rows: Vec<Interpolant<'a>>,
     /// For each knot of the first argument, the curve along it that is 1 at this knot and 0 at all others.
-    cardinal: Vec<Interpolant>,
+    cardinal: Vec<Interpolant<'a>>,
 }
 
-impl Surface {
+impl<'a> Surface<'a> {
     /// Creates the interpolating surface of a table of two arguments that a model declares.
-    pub fn new(table: &Table) -> Self {
+    pub fn new(table: &'a Table) -> Self {
         let [first, second] = &table.arguments[..] else {
             panic!("two arguments, by the checker")
         };
@@ -34,10 +33,15 @@ impl Surface {
             Interpolant::through(knots.map(|(k, x)| (x, value(k))).collect(), table)
         };
         Self {
-            fingerprint: table.fingerprint(),
+            table,
             rows: table.values.chunks(second.knots.len()).map(row).collect(),
             cardinal: (0..first.knots.len()).map(cardinal).collect(),
         }
+    }
+
+    /// Hash of the interpolated surface ([`Table::fingerprint`]).
+    pub fn fingerprint(&self) -> u64 {
+        self.table.fingerprint()
     }
 
     /// Value of the surface at (x, y), or its partial derivative of the given orders.

@@ -8,23 +8,22 @@ use model_spec::model::{Continuation, Interpolation, Table};
 
 /// Interpolated table (piecewise cubic curve): the knots, and the slopes of the curve at the knots.
 #[derive(Clone, Debug)]
-pub struct Interpolant {
-    /// Hash of the interpolated curve ([`Table::fingerprint`]).
-    pub fingerprint: u64,
+pub struct Interpolant<'a> {
+    table: &'a Table,
     knots: Vec<(f64, f64)>,
     /// Slopes at the knots; empty for straight lines between them.
     slopes: Vec<f64>,
     is_flat: bool,
 }
 
-impl Interpolant {
+impl<'a> Interpolant<'a> {
     /// Creates the interpolating curve of a table of one argument that a model declares.
-    pub fn new(table: &Table) -> Self {
+    pub fn new(table: &'a Table) -> Self {
         Self::through(table.points(), table)
     }
 
     /// Creates the curve through knots (argument, value) by the rules of a table.
-    pub(super) fn through(knots: Vec<(f64, f64)>, table: &Table) -> Self {
+    pub(super) fn through(knots: Vec<(f64, f64)>, table: &'a Table) -> Self {
         let is_flat = table.continuation == Continuation::Constant;
         let slopes = match table.interpolation {
             Interpolation::Spline => spline_slopes(&knots, is_flat),
@@ -34,11 +33,16 @@ impl Interpolant {
             Interpolation::Linear => Vec::new(),
         };
         Self {
-            fingerprint: table.fingerprint(),
+            table,
             knots,
             slopes,
             is_flat,
         }
+    }
+
+    /// Hash of the interpolated curve ([`Table::fingerprint`]); most evaluations need none.
+    pub fn fingerprint(&self) -> u64 {
+        self.table.fingerprint()
     }
 
     /// Value of the polygon through the knots at `x` (`order` 0), or its derivative of the given order.

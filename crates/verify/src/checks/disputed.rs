@@ -2,7 +2,7 @@
 
 use super::function_rows::{Value, Variable, bounded, compared, functions, seed, tree_column};
 use super::precision::{Exact, Finding, decide, exact_column, neighbours};
-use crate::evaluation::results;
+use crate::evaluation::{overflowing, results};
 use crate::options::TOLERANCE;
 use codegen::Compiled;
 use codegen::program::Function;
@@ -66,7 +66,9 @@ impl Disputed<'_> {
         let rows = exact.len();
         let [value, derivative] = exact[row];
         let of_code = self.magnitude_of_code(rows, place, part);
-        let finding = decide(found, expected, of_code, part.of(value, derivative));
+        let exact = part.of(value, derivative);
+        let in_256_bits = || self.in_256_bits(rows, place, part);
+        let finding = decide(found, expected, of_code, exact, in_256_bits);
         let is_refuted = matches!(finding, Finding::Error(error) if error > TOLERANCE);
         (!(is_refuted && self.agrees_beside(found, row, part))).then_some(finding)
     }
@@ -80,6 +82,20 @@ impl Disputed<'_> {
             .derivative
             .map_or(0.0, |derivative| derivative.magnitude);
         part.of(value.found.magnitude, of_derivative)
+    }
+
+    /// What the code gives in 256 bits, if a number on the way to it is beyond the range of `f64`.
+    fn in_256_bits(&self, rows: usize, place: usize, part: Part) -> Option<f64> {
+        let functions = functions(self.compiled);
+        let programs = functions.iter().map(|function| &function.program);
+        let all = overflowing(&self.compiled.prepare.program, programs, self.point, |_| {
+            true
+        })?;
+        let results: Vec<(&Function, Vec<f64>)> = functions.into_iter().zip(all).collect();
+        let direction = self.variable.direction.iter().map(|d| d.value).collect();
+        let variable = self.variable.along(direction);
+        let value = compared(self.model, &results, &variable, rows).swap_remove(place);
+        Some(part.of(value.found, value.derivative.unwrap_or(0.0)))
     }
 
     /// Whether a number is that of the law next to the point, on one side of a branch point.

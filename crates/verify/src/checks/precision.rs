@@ -45,8 +45,15 @@ pub(crate) enum Finding {
 }
 
 /// Compares a value found in `f64` with the exact one. `expected` is by a method in `f64`, with a magnitude of NaN if the
-/// terms overflow; `of_code` is the magnitude of the terms that the code sums, 0 if unknown.
-pub(crate) fn decide(found: f64, expected: ErrorBound, of_code: f64, exact: Exact) -> Finding {
+/// terms overflow; `of_code` is the magnitude of the terms that the code sums, 0 if unknown; `in_256_bits` is what the code
+/// gives in 256 bits, if a number on the way to it is beyond the range of `f64`.
+pub(crate) fn decide(
+    found: f64,
+    expected: ErrorBound,
+    of_code: f64,
+    exact: Exact,
+    in_256_bits: impl FnOnce() -> Option<f64>,
+) -> Finding {
     if !exact.is_number {
         return Finding::Error(f64::INFINITY);
     }
@@ -58,16 +65,20 @@ pub(crate) fn decide(found: f64, expected: ErrorBound, of_code: f64, exact: Exac
     let finite = [expected.magnitude, rounding, exact.value.abs()].into_iter();
     let magnitude = finite.filter(|m| m.is_finite()).fold(0.0, f64::max);
     let value = exact.value;
-    let error = ErrorBound { value, magnitude }.relative_error(found);
+    let error = |found| ErrorBound { value, magnitude }.relative_error(found);
+    let is_right = |found| error(found) <= TOLERANCE;
+    if is_right(found) {
+        return Finding::Error(error(found));
+    }
     let overflows = if found.is_finite() {
         !(expected.magnitude + of_code).is_finite()
     } else {
         !expected.value.is_finite()
     };
-    if overflows && error > TOLERANCE {
+    if overflows || in_256_bits().is_some_and(is_right) {
         Finding::Overflow
     } else {
-        Finding::Error(error)
+        Finding::Error(error(found))
     }
 }
 

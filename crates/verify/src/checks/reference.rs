@@ -153,12 +153,9 @@ pub(super) fn with_tree(
             Some((found, exact)) => {
                 let of_code = of_code.get_or_init(|| equations.magnitudes(point));
                 let of_code = of_code.get(i).copied().unwrap_or(0.0);
-                decide(
-                    found,
-                    bounded_by(expected.value, expected.magnitude),
-                    of_code,
-                    exact,
-                )
+                let expected = bounded_by(expected.value, expected.magnitude);
+                let in_256_bits = || equations.overflowing(point)?.get(i).copied();
+                decide(found, expected, of_code, exact, in_256_bits)
             }
         };
         errors(finding, value_name(model, i));

@@ -281,6 +281,22 @@ fn a_wrong_switch_is_refuted_although_its_dual_numbers_overflow() {
     }
 }
 
+/// What is left of an overflow on the way to a finite value depends on the order of the operations.
+#[test]
+fn a_value_whose_terms_overflow_is_not_refuted() {
+    for sum in ["1 + 2*exp(a) + exp(2*a)", "1 + exp(3*a) + exp(a)*exp(a)"] {
+        let soft = format!(
+            "let a = (0.2 [m] - z)/(1 [mm]); coefficient C = 0.3 N in 0 .. 3; force floor = C*log({sum})*N.3;"
+        );
+        let report = outcome(&format!("{SLED}{soft}"));
+        let told = report.table();
+        assert!(
+            told.contains("OVERFLOW (derivatives: dual numbers)"),
+            "{told}"
+        );
+    }
+}
+
 #[test]
 fn an_overflow_is_named_and_not_refuted() {
     let blast = "force blast = 2 [N]*exp(-x/(0.9 [mm]))*N.2;";
@@ -354,4 +370,21 @@ fn an_entry_that_cancels_is_compared_with_the_rounding_of_its_terms() {
         let report = verified(dart, &Options { seed, ..options });
         assert_eq!(report.outcome(), Outcome::Verified, "{}", report.table());
     }
+}
+
+/// Right angles are multiples of π, also where their product has few decimals: 3·π/2 is 4.71238898038469.
+#[test]
+fn a_multiple_of_a_right_angle_is_not_refuted() {
+    let rotors = "force rotors = (3 [N])*u/(1 [m/s])*(cos(3*90 [deg])*N.1 + sin(3*90 [deg])*N.2 + sin(270 [deg])*N.3);";
+    outcome(&format!("{SLED}{rotors}"));
+}
+
+/// A claim of the energy alone says less than what the equations need.
+#[test]
+fn fewer_balances_than_states_leave_a_model_not_verified() {
+    let text =
+        "model drop; param m = 2 kg; param g = 9.81 m/s^2; frame N; state z = 3 m; state v = 0 m/s;
+        der(z) = v; der(v) = -g; claim der(m*v^2/2 + m*g*z) = 0 W;";
+    let report = verified(text, &QUICK);
+    assert_eq!(report.outcome(), Outcome::NotVerified, "{}", report.table());
 }

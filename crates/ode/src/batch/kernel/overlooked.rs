@@ -9,7 +9,7 @@ use crate::batch::control::MAX_LANES;
 use crate::batch::functions::{Call, LaneFunctions};
 use crate::batch::staging::{LaneValues, merge};
 use crate::dense_output::DenseOutput;
-use crate::switches::{Arguments, Cell, MAX_OVERLOOKED, Path, cells, possible_passages};
+use crate::switches::{Passed, Path, greatest, overlooked, possible_passages};
 use lanes::{Enclosure, Lanes};
 
 /// Fractions of a step at which the arguments of switches are computed first.
@@ -78,8 +78,8 @@ impl<T: Lanes> Flying<'_, T> {
         }
         self.watch.knows_start = true;
         let mut possible = [0; MAX_LANES];
-        let levels = self.rhs.switch_levels();
-        for j in 0..levels.len() {
+        let switches = self.rhs.switches();
+        for j in 0..switches.len() {
             let mut values = [[0.0; MAX_LANES]; 3];
             for k in 0..POINTS.len() {
                 self.watch.points[k][j].store(&mut values[k]);
@@ -87,7 +87,7 @@ impl<T: Lanes> Flying<'_, T> {
             for lane in 0..T::WIDTH {
                 let [start, middle, end] = values;
                 let values = [start[lane], middle[lane], end[lane]];
-                possible[lane] += possible_passages(&levels[j], values);
+                possible[lane] += possible_passages(&switches[j], values);
             }
         }
         for lane in 0..T::WIDTH {
@@ -103,79 +103,57 @@ impl<T: Lanes> Flying<'_, T> {
         merge(keep, end, start);
     }
 
-    /// Cells of the step of one lane, whose dense output is known.
+    /// Fraction of the step of a lane at which its rate differs from that of the step by more than the tolerance allows,
+    /// by the dense output.
     #[inline(always)]
-    fn cells(&mut self, lane: usize) -> Vec<Cell> {
+    pub(super) fn overlooked(&mut self, lane: usize, h: T) -> Option<f64> {
+        self.fill_rows(lane, h);
         let span = (self.control.t[lane], self.control.h[lane]);
         let step = DenseOutput::of_rows(self.tableau.method, span, &self.rows);
-        let mut arguments = InLane {
+        let ends = self.values.x.iter().zip(&self.end);
+        let scales = ends.map(|(a, b)| self.tolerance.scale(a.lane(lane), b.lane(lane)));
+        let mut passed = InLane {
             rhs: self.rhs,
             values: &self.values,
             lane,
             path: Path::of(&step),
+            step,
+            scales: scales.collect(),
+            evaluations: &mut self.evaluations,
             bounds: Vec::new(),
             parameters: self.values.p.iter().map(|p| p.lane(lane)).collect(),
+            of_lane: &mut self.state,
             state: &mut self.within,
             within: &mut self.watch.within,
+            rates: &mut self.watch.rates,
             scratch: &mut self.scratch,
         };
-        cells(self.rhs.switch_levels(), &mut arguments)
-    }
-
-    /// Fraction of the step of a lane at which its rate differs from that of the step by more than the tolerance allows,
-    /// by the dense output; a step that ends there sees why.
-    #[inline(always)]
-    pub(super) fn overlooked(&mut self, lane: usize, h: T) -> Option<f64> {
-        self.fill_rows(lane, h);
-        let n = self.stages.n;
-        for Cell { middle: s, width } in self.cells(lane) {
-            let span = (self.control.t[lane], self.control.h[lane]);
-            let step = DenseOutput::of_rows(self.tableau.method, span, &self.rows);
-            let (t, h) = (step.t + s * step.h, step.h);
-            step.state(s, &mut self.state);
-            for i in 0..n {
-                self.within[i] = T::splat(self.state[i]);
-            }
-            let point = LanePoint {
-                t: T::splat(t),
-                x: &self.within,
-                p: &self.values.p,
-                prepared: &self.values.prepared,
-            };
-            let rates = &mut self.watch.rates;
-            self.rhs
-                .call(Call::Derivative(&point), &mut self.scratch, rates);
-            self.evaluations += 1;
-            for i in 0..n {
-                let change = width * (h * rates[i].lane(lane) - step.slope(s, i)).abs();
-                let ends = [self.values.x[i], self.end[i]].map(|x| x.lane(lane));
-                let is_seen = change <= MAX_OVERLOOKED * self.tolerance.scale(ends[0], ends[1]);
-                // Not a number counts as seen too little of.
-                if !is_seen {
-                    return Some(s);
-                }
-            }
-        }
-        None
+        overlooked(self.rhs.switches(), &mut passed)
     }
 }
 
-/// Arguments of switches on the path of a step of one lane.
+/// Step of one lane on the path of its dense output.
 struct InLane<'a, T> {
     rhs: &'a dyn LaneFunctions<T>,
     values: &'a LaneValues<T>,
     lane: usize,
     path: Path,
+    step: DenseOutput<'a>,
+    /// Tolerated errors of the components of the state.
+    scales: Vec<f64>,
+    evaluations: &'a mut u64,
     bounds: Vec<Enclosure>,
     parameters: Vec<f64>,
-    /// Work arrays: a state, arguments, and what the functions need.
+    /// Work arrays: a state of the lane and of all, arguments, rates, and what the functions need.
+    of_lane: &'a mut [f64],
     state: &'a mut [T],
     within: &'a mut [T],
+    rates: &'a mut [T],
     scratch: &'a mut [T],
 }
 
-impl<T: Lanes> Arguments for InLane<'_, T> {
-    fn at(&mut self, s: f64, to: &mut [f64]) {
+impl<T: Lanes> Passed for InLane<'_, T> {
+    fn arguments(&mut self, s: f64, to: &mut [f64]) {
         for (x, value) in self.state.iter_mut().zip(self.path.state(s)) {
             *x = T::splat(value);
         }
@@ -196,5 +174,27 @@ impl<T: Lanes> Arguments for InLane<'_, T> {
         let time = self.path.bounds(part, &mut self.bounds);
         self.rhs
             .switch_bounds(time, &self.bounds, &self.parameters, to)
+    }
+
+    fn deviation(&mut self, s: f64) -> f64 {
+        let (t, h) = (self.step.t + s * self.step.h, self.step.h);
+        self.step.state(s, self.of_lane);
+        for (x, value) in self.state.iter_mut().zip(&*self.of_lane) {
+            *x = T::splat(*value);
+        }
+        let point = LanePoint {
+            t: T::splat(t),
+            x: self.state,
+            p: &self.values.p,
+            prepared: &self.values.prepared,
+        };
+        self.rhs
+            .call(Call::Derivative(&point), self.scratch, self.rates);
+        *self.evaluations += 1;
+        let rates = self.rates.iter().zip(&self.scales).enumerate();
+        let each = rates.map(|(i, (rate, scale))| {
+            (h * rate.lane(self.lane) - self.step.slope(s, i)).abs() / scale
+        });
+        each.fold(0.0, greatest)
     }
 }
