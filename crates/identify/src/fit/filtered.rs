@@ -21,29 +21,35 @@ const EVEN: f64 = 0.1;
 /// noise of the distances then lacks its high frequencies, or they are shorter in every second, third or fourth sample,
 /// since an interpolation cuts corners.
 pub fn filtered(state: &State<'_>) -> Option<String> {
-    let mut sums = Sums::default();
-    for (place, _, apart) in all_apart(state) {
-        let series = deviations(&apart);
-        sums.add(&series, &state.flights[place], state.interval);
-        sums.add_phases(&series);
-    }
-    let seen = match sums.period() {
-        Some(period) => format!("the distances between the markers repeat every {period} samples"),
-        None => {
-            let partial = sums.partial_autocorrelation()?;
-            // The distances to one marker share its noise.
-            let error = (marker_count(state.problem) as f64 / sums.products[2].1).sqrt();
-            if partial > FILTERED.min(-SIGNIFICANT * error) {
-                return None;
-            }
-            format!(
-                "the noise of the tracks lacks its high frequencies (partial autocorrelation {partial:.2} at two samples)"
-            )
-        }
-    };
+    seen_in(state, lengths)?;
+    // What turns with the body may look like noise without high frequencies.
+    let seen = seen_in(state, deviations)?;
     Some(format!(
         "{seen}: they were filtered or interpolated, which makes the circles of the markers smaller. Use the positions as they were measured"
     ))
+}
+
+/// What the series that `of` makes of the distances between two markers show of a filter.
+fn seen_in(state: &State<'_>, of: fn(&[Option<Vector3<f64>>]) -> Series) -> Option<String> {
+    let mut sums = Sums::default();
+    for (place, _, apart) in all_apart(state) {
+        let series = of(&apart);
+        sums.add(&series, &state.flights[place], state.interval);
+        sums.add_phases(&series);
+    }
+    if let Some(period) = sums.period() {
+        return Some(format!(
+            "the distances between the markers repeat every {period} samples"
+        ));
+    }
+    let partial = sums.partial_autocorrelation()?;
+    // The distances to one marker share its noise.
+    let error = (marker_count(state.problem) as f64 / sums.products[2].1).sqrt();
+    (partial <= FILTERED.min(-SIGNIFICANT * error)).then(|| {
+        format!(
+            "the noise of the tracks lacks its high frequencies (partial autocorrelation {partial:.2} at two samples)"
+        )
+    })
 }
 
 /// Number of terms of a distance that turn with the body, and least number of samples for each of them.
@@ -80,30 +86,47 @@ fn turning(past: f64, direction: Vector3<f64>) -> [f64; TURNING.0] {
 /// without high frequencies where it has nine tenths of them or more; the terms take less of filtered noise.
 const LEFT: f64 = 0.2;
 
-/// Deviation of the distance of two markers in each sample, m, from its median or, where most of it turns with the body,
-/// from what does, and the direction from one to the other; `None` where it is not seen or an outlier.
-fn deviations(apart: &[Option<Vector3<f64>>]) -> Vec<Option<(f64, Vector3<f64>)>> {
+/// Deviation of the distance of two markers in each sample, m, and the direction from one to the other; `None` where it is
+/// not seen or an outlier.
+type Series = Vec<Option<(f64, Vector3<f64>)>>;
+
+/// Deviations of the distances from their median.
+fn lengths(apart: &[Option<Vector3<f64>>]) -> Series {
+    let seen = apart.iter().flatten().map(Vector3::norm);
+    let middle = median(&mut seen.clone().collect::<Vec<_>>());
+    series(apart, seen.map(|length| length - middle).collect())
+}
+
+/// Deviations of the distances from their median or, where most of it turns with the body, from what does.
+fn deviations(apart: &[Option<Vector3<f64>>]) -> Series {
     let seen = apart.iter().enumerate();
     let seen = seen.filter_map(|(sample, apart)| Some((sample, (*apart)?)));
     let seen: Vec<(usize, Vector3<f64>)> = seen.collect();
     let terms = (seen.len() / TURNING.1).clamp(1, TURNING.0);
-    let rows = seen.iter().map(|(sample, apart_here)| {
-        turning(*sample as f64 / apart.len() as f64, apart_here.normalize())
-    });
+    let rows = seen
+        .iter()
+        .map(|(sample, own)| turning(*sample as f64 / apart.len() as f64, own.normalize()));
     let rows: Vec<[f64; TURNING.0]> = rows.collect();
     let design = DMatrix::from_fn(seen.len(), terms, |row, term| rows[row][term]);
-    let lengths = DVector::from_iterator(seen.len(), seen.iter().map(|(_, apart)| apart.norm()));
-    let plain = lengths.add_scalar(-median(&mut lengths.as_slice().to_vec()));
-    let left = &lengths - &design * (moore_penrose(&design, RANK) * &lengths);
-    let turns = left.norm_squared() < LEFT * plain.norm_squared();
-    let deviations = if turns { left } else { plain };
+    let length = DVector::from_iterator(seen.len(), seen.iter().map(|(_, apart)| apart.norm()));
+    let plain = length.add_scalar(-median(&mut length.as_slice().to_vec()));
+    let left = &length - &design * (moore_penrose(&design, RANK) * &length);
+    match left.norm_squared() < LEFT * plain.norm_squared() {
+        true => series(apart, left.as_slice().to_vec()),
+        false => lengths(apart),
+    }
+}
+
+/// The `deviations` of the distances that are seen, without outliers.
+fn series(apart: &[Option<Vector3<f64>>], deviations: Vec<f64>) -> Series {
     let mut sizes: Vec<f64> = deviations.iter().map(|own| own.abs()).collect();
     let limit = SIGNIFICANT * robust_sigma(&mut sizes);
-    let mut all = vec![None; apart.len()];
-    for ((sample, apart), deviation) in zip(&seen, &deviations) {
-        all[*sample] = (deviation.abs() <= limit).then(|| (*deviation, apart.normalize()));
-    }
-    all
+    let mut deviations = deviations.into_iter();
+    let each = apart.iter().map(|apart| {
+        let (apart, deviation) = ((*apart)?, deviations.next()?);
+        (deviation.abs() <= limit).then(|| (deviation, apart.normalize()))
+    });
+    each.collect()
 }
 
 /// Periods, in samples, with which an interpolation to a higher rate repeats.
