@@ -168,7 +168,7 @@ fn bad_input_is_refused_before_anything_is_written() {
         ),
         (
             vec!["stability", "ball"],
-            "point mass, which has no attitude",
+            "has no body that turns",
         ),
         (vec!["stability", "disc", "--speed", "-3"], "--speed"),
     ] {
