@@ -166,10 +166,7 @@ fn bad_input_is_refused_before_anything_is_written() {
             vec!["design", "--goal", "range", "--fit", "Cargo.toml"],
             "--fit: Cargo.toml",
         ),
-        (
-            vec!["stability", "ball"],
-            "has no body that turns",
-        ),
+        (vec!["stability", "ball"], "has no body that turns"),
         (vec!["stability", "disc", "--speed", "-3"], "--speed"),
     ] {
         let folder = tempfile::tempdir().expect("a folder");
