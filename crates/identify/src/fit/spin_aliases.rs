@@ -47,14 +47,23 @@ pub fn resolve(guesses: InitialGuesses<'_>) -> Result<(State<'_>, ResidualCache)
     }
     let ids = state.ids.clone();
     let mut arrivals = Arrivals::default();
-    for turns in choices(&state, alternatives, &aliases) {
-        arrivals.add(with_turns(&state, alternatives, &turns), converged)?;
-    }
-    let fits = &arrivals.fits;
-    let scale = |place: usize| {
-        let (fit, cache) = &fits[place];
+    let scale_of = |(fit, cache): &(State<'_>, ResidualCache)| {
         median_scale(cache, fit.excluded.len() - state.excluded.len())
     };
+    let common: Vec<Vec<i32>> = { aliases.iter() }
+        .map(|alias| vec![*alias; alternatives.len()])
+        .collect();
+    for turns in &common {
+        arrivals.add(with_turns(&state, alternatives, turns), converged)?;
+    }
+    let mut arrived = arrivals.fits.iter();
+    if !arrived.any(|fit| is_noise_of(scale_of(fit), &state)) {
+        for turns in further_choices(&state, alternatives, &common) {
+            arrivals.add(with_turns(&state, alternatives, &turns), converged)?;
+        }
+    }
+    let fits = &arrivals.fits;
+    let scale = |place: usize| scale_of(&fits[place]);
     let is_noise = |scale: f64| is_noise_of(scale, &state);
     let (mut best, mut is_doubtful) = (0, false);
     for place in 1..fits.len() {
@@ -100,8 +109,8 @@ pub fn resolve(guesses: InitialGuesses<'_>) -> Result<(State<'_>, ResidualCache)
     Ok((state, cache))
 }
 
-/// Moves each flight to another number of turns with which it alone fits better, and adds a doubt of flights that fit as
-/// well with another.
+/// Moves each flight that does not fit to the noise to another number of turns with which it alone fits better, and adds a
+/// doubt of those that fit as well with another.
 fn with_own_turns(
     state: &mut State<'_>,
     mut cache: ResidualCache,
@@ -109,7 +118,7 @@ fn with_own_turns(
 ) -> Result<ResidualCache, FitError> {
     let mut open = Vec::new();
     for _ in 0..ROUNDS {
-        let found = gains_of_turns(state, (ids, alternatives));
+        let found = gains_of_turns(state, &cache, (ids, alternatives));
         let each = found.into_iter().enumerate();
         let (better, others): (Vec<_>, Vec<_>) = each
             .filter_map(|(flight, found)| Some((flight, found?)))
@@ -139,16 +148,20 @@ fn with_own_turns(
     Ok(cache)
 }
 
-/// For each flight the initial state of another spin with the least deviance at the present parameters, and by how much it
-/// is less than that of the present one.
+/// For each flight that does not fit to the noise the initial state of another spin with the least deviance at the present
+/// parameters, and by how much it is less than that of the present one.
 fn gains_of_turns(
     state: &State<'_>,
+    cache: &ResidualCache,
     (ids, alternatives): (&[FlightId], &[Vec<InitialGuess>]),
 ) -> Vec<Option<(f64, DVector<f64>)>> {
     let (at, sigma0) = (state.fixed_global(), state.problem.sigma0);
-    let spin = spins(state.problem);
+    let (spin, scales) = (spins(state.problem), cache.scales());
     parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
         let observations = &state.flights[flight];
+        if scales[flight].is_some_and(|scale| is_noise_of(scale, state)) {
+            return None;
+        }
         let place = ids.iter().position(|id| *id == state.ids[flight])?;
         let fitted = |local: &DVector<f64>| {
             let samples = observations.times.len();
@@ -231,18 +244,17 @@ fn with_turns<'a>(
     state
 }
 
-/// Numbers of additional turns that are tried, by flight: the same of all flights; those that suit the model's values; and
-/// those with which all flights spin most alike, as some may spin below and others above half a turn per interval.
-fn choices(
+/// Numbers of additional turns, by flight, that are tried beside the `common` ones of all flights: those that suit the
+/// model's values, and those with which all flights spin most alike, as some may spin below and others above half a turn
+/// per interval.
+fn further_choices(
     state: &State<'_>,
     alternatives: &[Vec<InitialGuess>],
-    aliases: &[i32],
+    common: &[Vec<i32>],
 ) -> Vec<Vec<i32>> {
     let mut choices: Vec<Vec<i32>> = Vec::new();
-    let common = aliases.iter();
-    choices.extend(common.map(|alias| vec![*alias; alternatives.len()]));
     let of_model = nearest_to_model(state, alternatives);
-    if !choices.contains(&of_model) {
+    if !common.contains(&of_model) {
         choices.push(of_model);
     }
     let spin = spins(state.problem);
@@ -265,7 +277,8 @@ fn choices(
     let mut alike: Vec<(f64, Vec<i32>)> = spins.iter().flatten().map(like).collect();
     sort_by_number(&mut alike, |(squares, _)| *squares);
     for (_, turns) in alike {
-        if choices.len() < 2 * ALIASES.len() && !choices.contains(&turns) {
+        let is_known = common.contains(&turns) || choices.contains(&turns);
+        if choices.len() < ALIASES.len() && !is_known {
             choices.push(turns);
         }
     }

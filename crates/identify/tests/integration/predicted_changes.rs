@@ -79,7 +79,7 @@ fn a_touch_that_the_model_does_not_predict_ends_the_flight_whatever_it_switches(
 
 #[test]
 fn a_push_is_a_hand_unless_the_model_predicts_it() {
-    let model = stone("c*(5e-3 m)*step(0.4 s - time)*N.1");
+    let model = stone("c*(2e-2 m)*step(0.4 s - time)*N.1");
     let dataset = falls(&model);
     let found = fit(&model, &dataset, &FitOptions::default()).expect("a fit");
     let own = &found.report.coefficients["c"];

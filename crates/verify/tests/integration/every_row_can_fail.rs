@@ -201,7 +201,7 @@ fn breakages() -> Vec<(&'static str, Breakage, Breakage)> {
         ),
         (
             INVARIANTS,
-            Text("diag(I_d, I_d, I_a)", "diag(I_d, I_d, 2*I_a)"),
+            Text("diag(I_d, I_d, I_a)", "diag(I_d, I_d, I_a/2)"),
             Code("-m*g_here*N.3", "-1.01*m*g_here*N.3 - 0.1 [kg/s]*velocity"),
         ),
         (
