@@ -79,13 +79,42 @@ fn a_touch_that_the_model_does_not_predict_ends_the_flight_whatever_it_switches(
 
 #[test]
 fn a_push_is_a_hand_unless_the_model_predicts_it() {
-    let model = stone("c*(2e-2 m)*step(0.4 s - time)*N.1");
+    // Hands are looked for where bodies turn.
+    let pushed_by = |metres: &str| {
+        let text = format!(
+            "model stone;
+param m = 1 kg;
+param I = 0.01 kg*m^2;
+param g = 9.81 m/s^2;
+coefficient c = 3000 N/m in 0 .. 20000;
+coefficient k = 0.01 kg/m in 0 .. 1;
+frame N;
+frame A = N turned phi about 1;
+frame B = A turned theta about 2;
+frame C = B turned gamma about 3;
+body stone {{
+  mass m;
+  inertia diag(I, I, I) in C;
+  fixed in C;
+  position (x, y, z) in N;
+  velocity (vx, vy, vz) in N;
+}}
+force weight = -m*g*N.3;
+force push = c*({metres})*step(0.4 s - time)*N.1;
+force drag = -k*norm(velocity)*velocity;
+marker mark in C;
+observe mark = position + in_N(mark);
+"
+        );
+        model_spec::load::from_text("stone.hyz", &text, &[]).expect("a model")
+    };
+    let model = pushed_by("1e-2 m");
     let dataset = falls(&model);
     let found = fit(&model, &dataset, &FitOptions::default()).expect("a fit");
     let own = &found.report.coefficients["c"];
     assert!(own.std_error < 0.01 * own.value, "{own:?}");
     assert!((own.value - 3000.0).abs() < 4.0 * own.std_error, "{own:?}");
-    match fit(&stone(FLOOR), &dataset, &FitOptions::default()) {
+    match fit(&pushed_by("1e-9 m"), &dataset, &FitOptions::default()) {
         Err(FitError::FaultyData(faults)) => assert_eq!(faults.len(), 3),
         other => panic!("{:?}", other.map(|fit| fit.report.cautions)),
     }
