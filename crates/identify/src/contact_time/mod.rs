@@ -42,10 +42,6 @@ const MAX_OUTLIERS: usize = 12;
 /// Maximum error of the distance of two markers, in units of the noise of a coordinate.
 const DISTANCE: f64 = 6.0;
 
-/// Least part of the descent that a touch of the ground stops. Where an edge or a tip touches, its descent is stopped,
-/// and that of the mass centre by the part `1/(1 + m r²/I)`: a fifth for a disc, a quarter for a rod.
-const MIN_STOPPED_PART: f64 = 0.05;
-
 /// A contact of the body with the ground or another object, found as a velocity jump.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Onset {
@@ -57,10 +53,9 @@ pub struct Onset {
 }
 
 impl Onset {
-    /// Whether the jump is one at the ground: upward, of a body that descends, whose descent it stops in part.
+    /// Whether the jump is one at the ground: upward, of a body that descends.
     pub fn is_impact(&self) -> bool {
-        let least = (MIN_UPWARD_PART * self.jump.norm()).max(-MIN_STOPPED_PART * self.velocity.z);
-        self.velocity.z < 0.0 && self.jump.z > least
+        self.velocity.z < 0.0 && self.jump.z > MIN_UPWARD_PART * self.jump.norm()
     }
 }
 
