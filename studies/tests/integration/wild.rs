@@ -74,9 +74,3 @@ fn hidden_physics_leaves_a_misfit_that_a_diagnosis_explains() {
         "{found:?}"
     );
 }
-
-#[test]
-fn a_gradual_misfit_is_not_cut_off_as_a_touch_of_the_ground() {
-    let found = run("spinning_ball: hidden lens, mild, 2 flights", 0);
-    assert!(!found[0].fitted.reliable, "{found:?}");
-}

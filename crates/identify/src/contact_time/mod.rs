@@ -15,7 +15,6 @@ use nalgebra::{DVector, Vector3};
 
 use self::jump::{Jump, free_motion, jumps};
 use self::trajectory::Trajectory;
-use crate::ground_contact::MIN_UPWARD_PART;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
@@ -46,17 +45,8 @@ const DISTANCE: f64 = 6.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Onset {
     pub sample: usize,
-    /// Mean velocity of the markers before the contact, m/s.
-    pub velocity: Vector3<f64>,
     /// Jump of the mean velocity of the markers at the contact, m/s.
     pub jump: Vector3<f64>,
-}
-
-impl Onset {
-    /// Whether the jump is one at the ground: upward, of a body that descends.
-    pub fn is_impact(&self) -> bool {
-        self.velocity.z < 0.0 && self.jump.z > MIN_UPWARD_PART * self.jump.norm()
-    }
 }
 
 /// Finds the first contact within the range `sought` of samples, as a deviation from free flights near the one from
@@ -85,8 +75,10 @@ pub fn contact_time(
         match departure(&tests, tried.clone(), is_seen)? {
             Departure::Contact(found) => {
                 // A deviation that grows earlier was part of the fit: it is the misfit of a wrong model.
-                return (found.contact + MAX_LEAD >= sought.start)
-                    .then(|| onset(trajectory, &observations, found));
+                return (found.contact + MAX_LEAD >= sought.start).then(|| Onset {
+                    sample: found.contact,
+                    jump: jump_of_velocity(trajectory, &observations, found),
+                });
             }
             Departure::Outlier(sample) => {
                 let (before, after) = rows.split_at(sample - trajectory.first);
@@ -142,17 +134,16 @@ fn departure(
     None
 }
 
-/// The contact `found`, with the mean velocities of the markers over the interval in which it happens.
-fn onset(trajectory: &Trajectory, observations: &Observations, found: &Jump) -> Onset {
+/// Jump of the mean velocity of the markers, m/s, computed from the change of the initial state in `found`.
+fn jump_of_velocity(
+    trajectory: &Trajectory,
+    observations: &Observations,
+    found: &Jump,
+) -> Vector3<f64> {
     let (first, last) = (found.contact - 1, found.contact);
-    let duration = observations.times[last] - observations.times[first];
     let moved =
         |sample: usize| Vector3::from((trajectory.centre(sample) * &found.change).column(0));
-    Onset {
-        sample: found.contact,
-        velocity: (trajectory.position(last) - trajectory.position(first)) / duration,
-        jump: (moved(last) - moved(first)) / duration,
-    }
+    (moved(last) - moved(first)) / (observations.times[last] - observations.times[first])
 }
 
 /// Marks the marker positions whose distances from most other markers in the sample differ from the predicted ones.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use nalgebra::{DVector, Matrix3xX, Vector3};
+use nalgebra::{DVector, Matrix3xX};
 
 use crate::error::FlightError;
 use crate::noise::NoiseModel;
@@ -71,13 +71,6 @@ impl Trajectory {
 
     pub fn markers(&self, sample: usize) -> &[Predicted] {
         &self.samples[sample - self.first]
-    }
-
-    /// Mean predicted marker position, m.
-    pub fn position(&self, sample: usize) -> Vector3<f64> {
-        let markers = self.markers(sample);
-        let sum: Vector3<f64> = markers.iter().map(|at| Vector3::from(at.position)).sum();
-        sum / markers.len() as f64
     }
 
     /// Derivatives of the mean predicted marker position with respect to the initial state, one row per coordinate.

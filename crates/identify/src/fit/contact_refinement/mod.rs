@@ -185,16 +185,16 @@ mod tests {
     use crate::options::FitOptions;
     use dataset::synthesize::Plan;
 
-    /// Number of samples that a fit to six flights of a ball uses of each flight, if the velocity of the first flight
+    /// Number of samples that a fit to six flights of a disc uses of each flight, if the velocity of the first flight
     /// jumps by `push`, m/s.
     fn used(push: Vector3<f64>) -> Vec<usize> {
-        let model = model_spec::load::load("ball", &[]).unwrap();
+        let model = model_spec::load::load("disc", &[]).unwrap();
         let plan = Plan {
             flights: 6,
             duration: Some(0.5),
             ..Plan::default()
         };
-        let mut dataset = simulated(&model, "serve", &plan);
+        let mut dataset = simulated(&model, "backhand", &plan);
         dataset.flights[0] = pushed(&dataset.flights[0], 40.5, push);
         let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
         let flights = fitted.report.flights.iter();
@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn a_touch_that_the_path_alone_does_not_show_ends_its_flight() {
+    fn a_touch_that_poses_alone_do_not_show_ends_its_flight() {
         let free = used(Vector3::zeros());
         let touched = used(Vector3::new(-0.1, 0.0, 0.4));
         assert!(free.iter().all(|samples| *samples > 55), "{free:?}");

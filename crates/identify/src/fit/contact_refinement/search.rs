@@ -7,6 +7,7 @@ use crate::contact_time::{Onset, contact_time};
 use crate::fit::FittedFlight;
 use crate::fit::initial_guess::{first_segment, refined_guesses};
 use crate::fit::output_error::FixedGlobal;
+use crate::ground_contact::MIN_UPWARD_PART;
 use crate::levels::FAR_ABOVE;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
@@ -48,7 +49,7 @@ impl Search<'_> {
         };
         match self.contact(&whole, local.clone(), within) {
             Some((onset, local)) => {
-                let is_new = onset.sample != end && (was_found || onset.is_impact());
+                let is_new = onset.sample != end && (was_found || is_upward(&onset));
                 let moved = is_new.then(|| self.truncated(whole, &onset, local))??;
                 self.is_within(FAR_ABOVE, &moved).then_some(moved)
             }
@@ -72,9 +73,7 @@ impl Search<'_> {
         let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
         let within = (first_segment(&whole), whole.times.len());
         let (onset, local) = self.contact(&whole, best.1.state, within)?;
-        let moved = onset
-            .is_impact()
-            .then(|| self.truncated(whole, &onset, local))??;
+        let moved = is_upward(&onset).then(|| self.truncated(whole, &onset, local))??;
         self.is_within(FAR_ABOVE, &moved).then_some(moved)
     }
 
@@ -149,4 +148,9 @@ impl Search<'_> {
         let found = self.at.fit_initial_state(whole, samples, start.clone());
         Some(found.ok()?.1)
     }
+}
+
+/// Whether the velocity jump of a detected contact is sufficiently upward for a contact with the ground.
+fn is_upward(onset: &Onset) -> bool {
+    onset.jump.z > MIN_UPWARD_PART * onset.jump.norm()
 }
