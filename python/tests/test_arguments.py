@@ -272,7 +272,7 @@ def test_components_of_inputs_are_among_the_expected_names() -> None:
 
 
 def test_a_model_without_attitude_is_told_by_its_name() -> None:
-    with pytest.raises(hyzer.Error, match="^the model ball is a point mass") as raised:
+    with pytest.raises(hyzer.Error, match="^the model ball has no body that turns") as raised:
         hyzer.stability("ball")
     assert "release" not in str(raised.value)
 
