@@ -29,10 +29,10 @@ impl Model {
         tensor: &InertiaTensor<Expr>,
         of: &dyn Fn(&Parameter) -> f64,
     ) -> Option<String> {
-        let mut values = [[0.0; 3]; 3];
+        let (mut values, known) = ([[0.0; 3]; 3], self.known(of));
         for (row, own) in values.iter_mut().zip(tensor) {
             for (value, entry) in row.iter_mut().zip(own) {
-                *value = self.constant(entry, of)?;
+                *value = self.constant_with(entry, of, &known)?;
             }
         }
         fault(&values)
@@ -41,13 +41,33 @@ impl Model {
     /// Value of an expression of parameters and coefficients, SI; `None` with operations that no constant of a body needs,
     /// such as tables.
     pub(crate) fn constant(&self, e: &Expr, of: &dyn Fn(&Parameter) -> f64) -> Option<f64> {
-        let value = |e: &Expr| self.constant(e, of);
+        self.constant_with(e, of, &self.known(of))
+    }
+
+    /// Values of the auxiliary variables, one after the other: evaluated where they stand, each link of a chain of names
+    /// would double the work.
+    fn known(&self, of: &dyn Fn(&Parameter) -> f64) -> Vec<Option<f64>> {
+        let mut known = Vec::with_capacity(self.aux_variables.len());
+        for own in &self.aux_variables {
+            known.push(self.constant_with(&own.value, of, &known));
+        }
+        known
+    }
+
+    /// As [`constant`](Self::constant), with the values of the auxiliary variables.
+    fn constant_with(
+        &self,
+        e: &Expr,
+        of: &dyn Fn(&Parameter) -> f64,
+        known: &[Option<f64>],
+    ) -> Option<f64> {
+        let value = |e: &Expr| self.constant_with(e, of, known);
         Some(match &e.kind {
             ExprKind::Number { value, .. } => *value,
             ExprKind::Pi => PI,
             ExprKind::Param(i) => of(&self.params[*i]),
             ExprKind::Coefficient(i) => of(&self.coefficients[*i]),
-            ExprKind::AuxVariable(i) => value(&self.aux_variables.get(*i)?.value)?,
+            ExprKind::AuxVariable(i) => (*known.get(*i)?)?,
             ExprKind::Neg(a) => -value(a)?,
             ExprKind::Add(a, b) => value(a)? + value(b)?,
             ExprKind::Sub(a, b) => value(a)? - value(b)?,

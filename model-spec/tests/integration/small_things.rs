@@ -323,3 +323,21 @@ fn divisors_and_tangents_of_bounded_angles_are_kept_from_zero() {
         assert!(message.contains(what), "{wrong}: {message}");
     }
 }
+
+#[test]
+fn moments_of_inertia_by_a_chain_of_names_take_no_time() {
+    let links = (1..60).map(|k| format!("let I{k} = (I{0} + I{0})/2;\n", k - 1));
+    let text = |third: &str| {
+        format!(
+            "model chain; param m = 1 kg; param I = 1e-3 kg*m^2; frame N;
+             frame A = N turned phi about 1; frame B = A turned theta about 2; frame C = B turned gamma about 3;
+             let I0 = I; {}
+             body chain {{ mass m; inertia diag(I59, I59, {third}) in C; fixed in C; position (x, y, z) in N;
+             velocity (u, v, w) in N; }} force weight = -m*(9.8 [m/s^2])*N.3; marker k in C; observe k = position + in_N(k);",
+            links.clone().collect::<String>()
+        )
+    };
+    from_text("chain.hyz", &text("2*I59"), &[]).expect("a flat body");
+    let error = from_text("chain.hyz", &text("3*I59"), &[]).expect_err("of no body");
+    assert!(error.to_string().contains("that of no body"), "{error}");
+}
