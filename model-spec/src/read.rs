@@ -81,7 +81,7 @@ pub enum LoadError {
         error: Arc<io::Error>,
     },
     /// The path is a folder, not a model file.
-    #[error("`{path}` is a folder, not a model file")]
+    #[error("`{path}` is a folder or a device, not a model file")]
     Folder {
         /// Path of the folder, which was given in place of the path of a model file.
         path: String,

@@ -276,7 +276,7 @@ impl TermLibrary {
         }
     }
 
-    /// Short name of a term for reports, such as `drag-by-alpha-squared`.
+    /// Short name of a term for reports, such as `drag-by-alpha-squared`; never that of a built-in effect.
     pub fn name(&self, term: Term) -> String {
         let channel = &self.channels[term.channel].name;
         let factor = |factor: &Factor| {
@@ -289,10 +289,17 @@ impl TermLibrary {
             }
         };
         let factors: Vec<String> = self.factors(term).iter().map(factor).collect();
-        if factors.is_empty() {
-            format!("constant-{channel}")
-        } else {
-            format!("{channel}-by-{}", factors.join("-and-"))
+        let name = match factors.is_empty() {
+            true => format!("constant-{channel}"),
+            false => format!("{channel}-by-{}", factors.join("-and-")),
+        };
+        let identifier = name.replace('-', "_");
+        match EffectTree::built_in()
+            .iter()
+            .any(|own| own.name() == identifier)
+        {
+            true => format!("{name}-term"),
+            false => name,
         }
     }
 

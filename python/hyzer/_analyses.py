@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, cast, overload
 
 from hyzer import _hyzer, _toml
-from hyzer._arguments import mapping, text_of
+from hyzer._arguments import mapping, text_of, whole
 from hyzer._dataset import Dataset, dataset_of
 from hyzer._errors import InputError
 from hyzer._extras import frame_of
@@ -183,7 +183,9 @@ def bootstrap(
         raise InputError("part needs out: the folder that the shares have in common")
     with Watching(progress) as watch:
         of, on = model_of(model), dataset_of(data)
-        found = _hyzer.bootstrap(on, of, asked, refits, seed, out, part, watch)
+        found = _hyzer.bootstrap(
+            on, of, asked, whole(refits, "refits"), whole(seed, "seed"), out, part, watch
+        )
         return None if found is None else Bootstrap(found)
 
 
@@ -253,10 +255,10 @@ def design(
     elif bounds is not None:
         limits = text_of(bounds, "bounds")
     asked = {
-        "target": None if target is None else [float(x) for x in target],
+        "target": None if target is None else _numbers(target, "target"),
         "bounds": limits,
         "wind": _wind(wind),
-        "fit": _report(fit),
+        "fit": report_of(fit),
         "starts": starts,
         "samples": samples,
         "seed": seed,
@@ -269,14 +271,21 @@ def design(
     return Design(found)
 
 
+def _numbers(values: Sequence[float], what: str) -> list[float]:
+    try:
+        return [float(value) for value in values]
+    except (TypeError, ValueError):
+        raise InputError(f"{what} is {values!r}, expected numbers") from None
+
+
 def _wind(wind: Sequence[float] | str | os.PathLike[str] | None) -> str | None:
     """Return a wind as the program takes it: components or the path of a file."""
     if wind is None or isinstance(wind, (str, os.PathLike)):
         return None if wind is None else os.fspath(wind)
-    return ",".join(repr(float(part)) for part in wind)
+    return ",".join(map(repr, _numbers(wind, "wind")))
 
 
-def _report(fit: Fit | str | os.PathLike[str] | None) -> str | None:
+def report_of(fit: Fit | str | os.PathLike[str] | None) -> str | None:
     """Return the report of a fit, a JSON text."""
     if fit is None or isinstance(fit, Fit):
         return None if fit is None else json.dumps(fit.to_dict())
@@ -309,4 +318,4 @@ def stability(model: AnyModel, release: AnyRelease | None = None, *, times: int 
     of = cast(_hyzer.Model, model_of(model))
     begun = Release(speed=16, spin=700) if release is None else Release.of(release)
     name, text = begun.texts(of.name)
-    return Stability(_hyzer.stability(of, name, text, times))
+    return Stability(_hyzer.stability(of, name, text, whole(times, "times")))

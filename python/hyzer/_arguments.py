@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from datetime import datetime, timedelta
+from datetime import datetime, timedelta, timezone
 from pathlib import Path
 from typing import Any, TypeGuard, cast
 
@@ -47,6 +47,14 @@ def numbers(values: Any, what: str) -> dict[str, float]:
     return found
 
 
+def whole(value: Any, what: str) -> Any:
+    """Return a whole number from 0; None as it is."""
+    number = plain(value)
+    if number is None or (isinstance(number, int) and type(number) is not bool and number >= 0):
+        return number
+    raise InputError(f"{what} is {value!r}, expected a whole number from 0")
+
+
 def plain(value: Any) -> Any:
     """Return a scalar of NumPy as that of Python, a masked one as NaN; other values as they are."""
     if getattr(value, "ndim", None) != 0:
@@ -61,12 +69,17 @@ def selected(value: Any, files: Mapping[Any, str], what: str) -> list[str]:
     """
     if value is None:
         return []
+    is_mapping = isinstance(value, Mapping)
+    labels: list[Any] | None = None
+    if is_mapping or hasattr(value, "iloc"):
+        labels = [plain(label) for label, _ in value.items()]
+        value = [item for _, item in value.items()]
     is_one = isinstance(value, str) or not hasattr(value, "__iter__")
     each: list[Any] = [value] if is_one else list(value)
     items = [plain(item) for item in each]
     if items and all(isinstance(item, bool) for item in items):
-        labels: list[Any] = list(cast("Any", value).index) if hasattr(value, "iloc") else []
-        if any(isinstance(label, str) for label in labels):
+        is_name = [isinstance(label, str) or label in files for label in labels or ()]
+        if labels and (is_mapping or all(is_name)):
             return [
                 file_of(label, files, what)
                 for label, is_in in zip(labels, items, strict=True)
@@ -77,6 +90,8 @@ def selected(value: Any, files: Mapping[Any, str], what: str) -> list[str]:
                 f"{what}: found a mask of {len(items)}, expected one of the {len(files)} flights"
             )
         return [file for file, is_in in zip(files.values(), items, strict=True) if is_in]
+    if is_mapping and items:
+        raise InputError(f"{what}: found a mapping of {items[0]!r}, expected one of True and False")
     return [file_of(item, files, what) for item in items]
 
 
@@ -112,22 +127,43 @@ def floats(values: Any) -> Any:
     return values.to_numpy(dtype=float, na_value=math.nan)
 
 
-def seconds(values: Any) -> Any:
-    """Return times in seconds: differences of time as they are, dates from the first."""
+def clock(times: Any) -> str:
+    """Return what times are: numbers, differences of time, dates, or dates in a time zone."""
+    about: Any = getattr(times, "dtype", None)
+    kind = getattr(about, "kind", "O")
+    if kind == "O":
+        about = next(iter(times), None) if hasattr(times, "__len__") else None
+        kind = "M" if isinstance(about, datetime) else "m" if isinstance(about, timedelta) else ""
+    if kind == "M":
+        zone = getattr(about, "tz", None) or getattr(about, "tzinfo", None)
+        return "dates" if zone is None else "dates in a time zone"
+    return "differences of time" if kind == "m" else "numbers"
+
+
+def seconds(times: Any, origin: Any = None) -> Any:
+    """Return times in seconds: differences of time as they are, dates from the first of `origin`.
+
+    Dates count from their own first without `origin`.
+    """
     # Most of the time of `import hyzer` would be that of NumPy.
     import numpy as np
 
-    kind = getattr(getattr(values, "dtype", None), "kind", "O")
-    if kind == "O":
-        first = next(iter(values), None) if hasattr(values, "__len__") else None
-        if isinstance(first, datetime):
-            values = [value - first for value in values]
-        kind = "m" if isinstance(first, (datetime, timedelta)) else ""
-    if kind not in ("m", "M"):
-        return values
-    times: Any = np.asarray(values, dtype=f"{'datetime' if kind == 'M' else 'timedelta'}64[ns]")
-    since = times - times[:1] if kind == "M" else times
-    return since / np.timedelta64(1, "s")
+    of_times = clock(times)
+    if of_times == "numbers":
+        return times
+    if of_times == "differences of time":
+        return np.asarray(times, dtype="timedelta64[ns]") / np.timedelta64(1, "s")
+    dates = _dates(times)
+    return (dates - (dates if origin is None else _dates(origin))[:1]) / np.timedelta64(1, "s")
+
+
+def _dates(times: Any) -> Any:
+    """Return dates as an array of NumPy, in UTC where they are in a time zone."""
+    import numpy as np
+
+    if getattr(getattr(times, "dtype", None), "kind", "O") == "O":
+        times = [t.astimezone(timezone.utc).replace(tzinfo=None) if t.tzinfo else t for t in times]
+    return np.asarray(times, dtype="datetime64[ns]")
 
 
 def text_of(path: str | os.PathLike[str], what: str) -> str:

@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hyzer import _hyzer
-from hyzer._arguments import mapping, names, numbers, selected
+from hyzer._arguments import file_of, mapping, names, numbers, selected
 from hyzer._errors import InputError
 from hyzer._extras import frame_of
-from hyzer._tables import manifest, named, table, text_of
+from hyzer._model import Model
+from hyzer._tables import manifest, model_name, named, table, text_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -97,7 +98,8 @@ class Dataset:
         flights : sequence or mapping of DataFrame
             Tables with a column or index `t`, s, and columns `NAME_x`, `NAME_y`, `NAME_z`, m, for
             each marker (z up); columns of other sensors as in a table of a dataset. A missing value
-            is NaN. Times may be differences of time or dates, which count from the first. A
+            is NaN. Times may be differences of time or dates, which count from the first of the
+            flight, those of its inputs too. A
             sequence is named `flight01.csv`, `flight02.csv`, …; a key that is no name, as of
             `groupby`, `KEY.csv`. One DataFrame is one flight.
         markers : mapping of str to sequence of 3 floats
@@ -144,7 +146,7 @@ class Dataset:
         ('flight01.csv', 'flight02.csv')
         """
         tables, files = named(flights)
-        texts = {file: text_of(file, frame) for file, frame in tables.items()}
+        texts = {file: text_of(file, frame, recording) for file, frame in tables.items()}
         if not markers and not sensors:
             columns = dict.fromkeys(str(c) for frame in tables.values() for c in frame.columns)
             raise _nothing_measured(c[:-2] for c in columns if c.endswith("_x"))
@@ -152,7 +154,8 @@ class Dataset:
         of_flights = mapping(inputs, "inputs")
         for number, (flight, frame) in enumerate(of_flights.items(), start=1):
             file = f"inputs{number:02}.csv"
-            of_inputs[flight], texts[file] = file, text_of(file, frame)
+            beside = tables[file_of(flight, files, "inputs")]
+            of_inputs[flight], texts[file] = file, text_of(file, frame, recording, beside)
         about = manifest(
             files,
             model,
@@ -295,7 +298,7 @@ class Dataset:
             "rate": rate,
             "up": up,
             "markers": markers,
-            "model": model,
+            "model": None if model is None else model_name(model),
             "centre-height": centre_height,
         }
         arguments = [f"--{key}={value}" for key, value in options.items() if value is not None]
@@ -306,6 +309,8 @@ class Dataset:
         if not files:
             raise InputError("takes: found none, expected the paths of recordings")
         constants = numbers(parameters, "parameters")
+        if constants and model is not None:
+            Model(model_name(model)).parameter_vector(constants)
         made, recordings = _hyzer.import_takes([*arguments, "--", *files], constants)
         apart = _selected_of(recordings, held_out, {file: file for file in made.files})
         text, tables, _, folder, about = made.held_out(apart).parts()

@@ -9,6 +9,7 @@ from typing import Any
 from hyzer import _hyzer
 from hyzer._arguments import mapping, names
 from hyzer._dataset import Dataset, dataset_of
+from hyzer._errors import InputError
 from hyzer._model import model_of
 from hyzer._progress import Progress, Watching
 from hyzer._results import Diagnosis, Fit
@@ -31,13 +32,25 @@ def options(
     return {
         "fixed": list(held.items()),
         "free": names(free),
-        "priors": [(name, *prior) for name, prior in mapping(priors, "priors").items()],
+        "priors": [_prior(name, prior) for name, prior in mapping(priors, "priors").items()],
         "profiles": names(profiles),
         "unbounded": unbounded,
         "trust_data": trust_data,
         "threads": threads,
         "max_seconds": max_seconds,
     }
+
+
+def _prior(name: str, prior: Any) -> tuple[str, Any, Any]:
+    parts: list[Any] = (
+        [] if isinstance(prior, str) or not hasattr(prior, "__len__") else list(prior)
+    )
+    if len(parts) != 2:
+        raise InputError(
+            f"priors: found {prior!r} for {name}, expected a mean and a standard deviation: "
+            f"priors={{{name!r}: (mean, sigma)}}"
+        )
+    return name, *parts
 
 
 def fit(

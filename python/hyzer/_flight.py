@@ -207,13 +207,19 @@ class Flight:
         -------
         pair of matplotlib axes
         """
+        if not {"x", "z"} <= set(self.names):
+            found = ", ".join(self.names)
+            raise InputError(
+                f"the states are {found}, expected x and z to draw; to_pandas() has all"
+            )
         is_new = axes is None
         if axes is None:
             pyplot = extra("matplotlib.pyplot")
             _, axes = pyplot.subplots(2, 1, sharex=True, layout="compressed")
         side, above = axes
         for axis, name in ((side, "z"), (above, "y")):
-            axis.plot(self["x"], self[name])
+            # A motion in a plane has no y.
+            axis.plot(self["x"], self[name] if name in self.names else 0 * self["x"])
             axis.set_ylabel(f"{name}, m")
         # Each axis holds all that is drawn on it, and is not much shorter than the longest.
         drawn = [(axis.dataLim.intervalx, axis.dataLim.intervaly) for axis in (side, above)]

@@ -119,6 +119,9 @@ class Release:
         self.name = "release"
         self._throw = {name: value for name, value in stated.items() if value is not None}
         self._initial = None if initial is None else mapping(initial, "initial")
+        if self._initial and self._throw:
+            found = ", ".join(self._throw)
+            raise InputError(f"found states and {found}, expected all states or those of a throw")
         self._until = until
         blown: Mapping[str, Any] = {"constant": wind} if wind is not None else {}
         if isinstance(wind, Mapping):
@@ -169,6 +172,8 @@ class Release:
     @classmethod
     def several(cls, releases: AnyRelease | Iterable[AnyRelease]) -> list[Release]:
         """Return one release or several as a list."""
+        if not hasattr(releases, "__iter__") and not isinstance(releases, (os.PathLike, Release)):
+            raise InputError(f"releases: found {releases!r}, expected a release or several")
         is_one = isinstance(releases, (str, os.PathLike, Release, Mapping))
         each = cast("Iterable[AnyRelease]", [releases] if is_one else releases)
         return [cls.of(release) for release in each]
@@ -184,7 +189,7 @@ class Release:
             f"{name} = {_toml.text(value)}\n" for name, value in {"model": model, **until}.items()
         ]
         of_motion = "[throw]" if self._initial is None else "[initial]"
-        motion = self._throw if self._initial is None else {**self._initial, **self._throw}
+        motion = self._throw if self._initial is None else self._initial
         tables = [_toml.table(f"[{name}]", values) for name, values in self._tables.items()]
         return "".join([*lines, *tables, _toml.table(of_motion, motion)])
 
@@ -200,7 +205,7 @@ class Release:
     def __repr__(self) -> str:
         if self._text is not None:
             return f"Release({self.name!r})"
-        values = {**(self._initial or {}), **self._throw}
+        values = self._initial or self._throw
         parts = [f"{name}={plain(value):g}" for name, value in values.items()]
         parts += [f"{name}={reprlib.repr(value)}" for name, value in self._tables.items() if value]
         parts += [] if self._until == "ground" else [f"until={self._until!r}"]
@@ -212,8 +217,10 @@ def over_time(name: str, value: Any) -> float | Mapping[str, Any]:
     value = plain(value)
     if isinstance(value, Mapping):
         return cast("Mapping[str, Any]", value)
-    if isinstance(value, int | float) or not hasattr(value, "__len__"):
+    if isinstance(value, int | float):
         return float(value)
+    if not hasattr(value, "__len__"):
+        raise InputError(f"inputs: {name} is {value!r}, expected a number, or times and values")
     if hasattr(value, "iloc"):
         value = (value.index, value)
     if len(value) != 2:

@@ -8,13 +8,14 @@ import os
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from hyzer import _hyzer
-from hyzer._extras import extra
+from hyzer._extras import extra, frame_of
 from hyzer._model import Model
 from hyzer._records import Record, shown
 
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+    import pandas as pd
 
 
 class Native(Protocol):
@@ -164,6 +165,17 @@ class Fit(Paged):
     def estimated(self) -> list[str]:
         """Names of what was estimated, in the order of `covariance`."""
         return [name for name in self["coefficients"] if name in self["correlations"]]
+
+    def residuals(self) -> pd.DataFrame:
+        """Return the residuals of all markers, measured - predicted.
+
+        Returns
+        -------
+        DataFrame
+            A row for each measured position: `file`, `t_s` since the first sample, `marker`, `x_m`,
+            `y_m`, `z_m`, and whether it is an `outlier`. It ends after a million rows.
+        """
+        return frame_of(dict(self._native.files())["residuals.csv"].decode())
 
     def correlation(self) -> npt.NDArray[np.float64]:
         """Return the correlations of the estimates, in the order of `estimated`."""

@@ -11,12 +11,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast, overload
 
 from hyzer import _hyzer, _toml
-from hyzer._arguments import is_path, mapping, text_of
+from hyzer._arguments import is_path, mapping, text_of, whole
 from hyzer._errors import InputError
 from hyzer._extras import extra, frame_of
 from hyzer._model import Model
 from hyzer._progress import Progress, Watching
 from hyzer._records import Record, titled
+from hyzer._results import Fit
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -95,7 +96,7 @@ def sweep(
     plan : str, path or mapping
         `backhands`, the built-in plan; a plan file; the text of one, which has more than one line;
         or its keys and tables as a mapping: those on the page of sweep plans in the reference. The
-        model of a mapping is a name, a path or a `Model`.
+        model of a mapping is a name, a path or a `Model`, and the report of `fit` also a `Fit`.
     out : path, optional
         Folder for `flights.parquet` and `summary.json`; a sweep that was ended goes on there.
         Without it the flights are kept in memory.
@@ -125,6 +126,7 @@ def sweep(
     # A tenth of the time of importing hyzer, which fits do not need.
     import tempfile
 
+    threads = whole(threads, "threads")
     with tempfile.TemporaryDirectory() as made, Watching(progress) as watch:
         of = _plan(plan, Path(made))
         if out is not None:
@@ -137,16 +139,22 @@ def sweep(
 
 
 def _plan(plan: Any, made: Path) -> tuple[str, str, str]:
-    """Return name, text and folder of a plan; a model that is an object is written to `made`."""
+    """Return name, text and folder of a plan; objects in it are written to `made`."""
     if not is_path(plan):
         keys, folder = mapping(plan, "plan"), "."
+        fitted = keys.get("fit")
+        if fitted is not None:
+            fitted = {"report": fitted} if isinstance(fitted, Fit) else mapping(fitted, "fit")
+            report = fitted.get("report", "")
+            if isinstance(report, Fit):
+                written = made / "report.json"
+                written.write_text(json.dumps(report.to_dict()), encoding="utf-8")
+                report = written
+            keys["fit"] = {**fitted, "report": os.path.abspath(report)}
         if isinstance(keys.get("model"), _hyzer.Model):
             model = Model(keys["model"].text, keys.pop("effects", ()))
             keys["model"], folder = f"{model.name}.hyz", str(made)
             (made / keys["model"]).write_text(model.text, encoding="utf-8")
-            if "fit" in keys:
-                fitted = mapping(keys["fit"], "fit")
-                keys["fit"] = {**fitted, "report": os.path.abspath(fitted.get("report", ""))}
         return "plan", _toml.document(keys), folder
     named = os.fspath(plan)
     if "\n" in named:

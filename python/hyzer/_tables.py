@@ -8,7 +8,16 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, cast
 
 from hyzer import _hyzer, _toml
-from hyzer._arguments import file_of, floats, mapping, names, plain, seconds, selected
+from hyzer._arguments import (
+    clock,
+    file_of,
+    floats,
+    mapping,
+    names,
+    plain,
+    seconds,
+    selected,
+)
 from hyzer._errors import InputError
 
 if TYPE_CHECKING:
@@ -26,6 +35,8 @@ _ENDINGS = {
 
 def named(flights: Any) -> tuple[dict[str, Any], dict[Any, str]]:
     """Return flights by the names of their files, and these names by the keys of the flights."""
+    if not hasattr(flights, "__iter__"):
+        raise InputError(f"flights: found {flights!r}, expected a table for each flight")
     if not isinstance(flights, Mapping):
         flights = [flights] if hasattr(flights, "columns") else flights
         found = {f"flight{k:02}.csv": flight for k, flight in enumerate(flights, start=1)}
@@ -45,14 +56,32 @@ def _file(key: Any) -> str:
     return "_".join(str(plain(part)) for part in parts) + ".csv"
 
 
-def text_of(file: str, frame: pd.DataFrame) -> str:
-    """Return the text of the table of a flight; `file` names it in messages."""
-    if not hasattr(frame, "columns"):
-        raise InputError(f"{file}: found a {type(frame).__name__}, expected a DataFrame")
-    is_indexed = "t" not in frame.columns and frame.index.name == "t"
+def text_of(
+    file: str, frame: pd.DataFrame, recording: Any = None, beside: pd.DataFrame | None = None
+) -> str:
+    """Return the text of the table of a flight, or of inputs `beside` one.
+
+    `file` names the table in messages. Dates count from the first of the flight.
+    """
+    if not hasattr(frame, "to_csv"):
+        module, name = type(frame).__module__.partition(".")[0], type(frame).__name__
+        found = name if module == "builtins" else f"{name} of {module}"
+        hint = ": .to_pandas() makes one" if hasattr(frame, "to_pandas") else ""
+        raise InputError(f"{file}: found a {found}, expected a DataFrame of pandas{hint}")
+    times = _times(frame)
+    kind = clock(times)
+    if kind != "numbers" and "time" in mapping(recording, "recording"):
+        raise InputError(f"{file}: its times are {kind}; recording states a unit of numbers, time")
+    origin = None if beside is None else _times(beside)
+    kinds = {kind, kind if beside is None else clock(origin)}
+    if len(kinds) > 1 and kinds != {"numbers", "differences of time"}:
+        raise InputError(
+            f"{file}: its times are {kind}, and those of the flight {clock(origin)}; "
+            "expected times of one clock"
+        )
+    since = seconds(times, origin)
     given = cast("Any", frame)
-    times: Any = given.index if is_indexed else given.get("t")
-    since = seconds(times)
+    is_indexed = "t" not in frame.columns and frame.index.name == "t"
     if since is not times:
         given = given.reset_index(drop=not is_indexed).assign(t=since)
         is_indexed = False
@@ -62,6 +91,12 @@ def text_of(file: str, frame: pd.DataFrame) -> str:
     except (csv.Error, UnicodeEncodeError) as error:
         raise InputError(f"{file}: found a cell that is no text of a table: {error}") from error
     return text
+
+
+def _times(frame: pd.DataFrame) -> Any:
+    """Return the times of a table: its column or index `t`; None if it has none."""
+    is_indexed = "t" not in frame.columns and frame.index.name == "t"
+    return frame.index if is_indexed else frame.get("t")
 
 
 def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, str]) -> str:
@@ -74,12 +109,27 @@ def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, st
         # What belongs to no marker and no sensor is an input over time, if it is a series.
         is_series = name not in kinds and np.ndim(values) == 1
         endings = ("",) if is_series else _ENDINGS.get(kinds.get(name, ""))
+        if endings is None and name in kinds:
+            expected = ", ".join(kind for kind in _ENDINGS if kind != "marker")
+            found = f"sensors: found the kind {kinds[name]!r} of {name!r}"
+            raise InputError(f"{found}, expected one of {expected}")
         if endings is None:
             known = ", ".join(["t", *kinds])
             raise InputError(f"{file}: found the array {name!r}, expected one of {known}")
         given = floats(seconds(values) if name == "t" else values)
         columns.append((f"{file}: {name}", [name + ending for ending in endings], given))
     return _hyzer.table_text(columns)
+
+
+def model_name(model: Any) -> str:
+    """Return the name or path of a model, which a dataset is stored with."""
+    if isinstance(model, os.PathLike) or (type(model) is str and ";" not in model):
+        return os.fspath(cast("str", model))
+    found = "the text of a model" if isinstance(model, str) else f"a {type(model).__name__}"
+    raise InputError(
+        f"model: found {found}, expected a name or a path, as a dataset is stored with it; "
+        "fits and diagnoses take a text or a Model: hyzer.fit(data, model=...)"
+    )
 
 
 def manifest(
@@ -100,14 +150,7 @@ def manifest(
 
     `files` are those of the flights by their keys, `inputs` those of the inputs over time.
     """
-    is_path = isinstance(model, os.PathLike) or (type(model) is str and ";" not in model)
-    if not is_path:
-        found = "the text of a model" if isinstance(model, str) else f"a {type(model).__name__}"
-        raise InputError(
-            f"model: found {found}, expected a name or a path, as a dataset is stored with it; "
-            "fits and diagnoses take a text or a Model: hyzer.fit(data, model=...)"
-        )
-    parts = [f"model = {_toml.text(os.fspath(model))}\n"]
+    parts = [f"model = {_toml.text(model_name(model))}\n"]
     of_flights: dict[Any, list[str]] = {}
     if isinstance(unknown, Mapping):
         by_flight = cast("Mapping[Any, Iterable[str] | str]", unknown)

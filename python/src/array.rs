@@ -2,6 +2,7 @@
 
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyList;
 
 use crate::errors::input;
 
@@ -72,21 +73,42 @@ pub fn numbers<'py>(array: &Bound<'py, PyAny>, what: &str) -> PyResult<(Numbers<
     Ok((Numbers(found), shape))
 }
 
-/// Labels of the elements of a Series, or of the columns of a DataFrame: `None` where one is no name. Nothing of other
+/// Labels along the last axis of an array of pandas, polars or xarray: `None` where one is no name. Nothing of other
 /// arrays, or where the labels are numbers.
 pub fn labels(array: &Bound<'_, PyAny>) -> PyResult<Option<Vec<Option<String>>>> {
-    if array.is_exact_instance_of::<PyArrayDyn<f64>>() || !array.hasattr("iloc")? {
+    if array.is_exact_instance_of::<PyArrayDyn<f64>>() {
         return Ok(None);
     }
-    let is_frame = array.hasattr("columns")?;
-    let labels = array.getattr(if is_frame { "columns" } else { "index" })?;
-    let kind = labels.getattr("dtype")?.getattr("kind")?;
-    if matches!(kind.extract::<&str>()?, "i" | "u") {
+    let labels = if array.hasattr("columns")? {
+        array.getattr("columns")?
+    } else if array.hasattr("iloc")? {
+        array.getattr("index")?
+    } else if let Some(labels) = coordinates(array)? {
+        labels
+    } else {
+        return Ok(None);
+    };
+    let labels: Vec<Bound<'_, PyAny>> = labels.try_iter()?.collect::<PyResult<_>>()?;
+    if labels.iter().all(|label| label.extract::<i64>().is_ok()) {
         return Ok(None);
     }
-    let each = labels.try_iter()?;
-    let each = each.map(|label| Ok(label?.extract::<String>().ok()));
-    each.collect::<PyResult<Vec<_>>>().map(Some)
+    let names = labels.iter().map(|label| label.extract::<String>().ok());
+    Ok(Some(names.collect()))
+}
+
+/// Coordinates along the last axis of an array of xarray, if it has some.
+fn coordinates<'py>(array: &Bound<'py, PyAny>) -> PyResult<Option<Bound<'py, PyAny>>> {
+    if !array.hasattr("dims")? || !array.hasattr("coords")? {
+        return Ok(None);
+    }
+    let coordinates = array.getattr("coords")?;
+    match array.getattr("dims")?.try_iter()?.last().transpose()? {
+        Some(last) if coordinates.contains(&last)? => {
+            let values = coordinates.get_item(last)?.getattr("values")?;
+            values.call_method0("tolist").map(Some)
+        }
+        _ => Ok(None),
+    }
 }
 
 /// An array whose elements, or columns, are in the order of `names`: by their labels, if it has some.
@@ -95,6 +117,13 @@ pub fn in_order<'py>(
     what: &str,
     names: &[String],
 ) -> PyResult<Bound<'py, PyAny>> {
+    if let Ok(list) = array.cast::<PyList>()
+        && !list.is_empty()
+        && labels(&list.get_item(0)?)?.is_some()
+    {
+        let rows = list.iter().map(|row| in_order(&row, what, names));
+        return Ok(PyList::new(array.py(), rows.collect::<PyResult<Vec<_>>>()?)?.into_any());
+    }
     let Some(labels) = labels(array)? else {
         return Ok(array.clone());
     };

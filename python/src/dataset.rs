@@ -1,10 +1,11 @@
 //! Datasets: read from folders, or from texts in memory with the same checks.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use dataset::{Dataset as Data, Role};
+use hyzer::program;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -137,12 +138,19 @@ impl Dataset {
     }
 
     fn save_files(&self, folder: PathBuf) -> PyResult<()> {
-        let beside: Vec<(&str, String)> = self
-            .beside
-            .iter()
-            .map(|(name, text)| (name.as_str(), text.clone()))
-            .collect();
-        dataset::write_commented(&folder, &self.data, &beside, &self.comments).map_err(|error| {
+        let mut data = Data::clone(&self.data);
+        let mut beside = self.beside.clone();
+        if beside.iter().all(|(file, _)| *file != data.model) {
+            let origin = self.folder.as_deref().unwrap_or(Path::new(""));
+            let named = program::fit::model_of(None, origin, &data).map_err(raise)?;
+            if let Some(own) = program::fit::model_file(&named).map_err(raise)? {
+                data.model.clone_from(&own.0);
+                beside.push(own);
+            }
+        }
+        let beside = beside.iter();
+        let beside: Vec<_> = beside.map(|(name, text)| (&**name, text.clone())).collect();
+        dataset::write_commented(&folder, &data, &beside, &self.comments).map_err(|error| {
             let text = format!("{}: {error}", folder.display());
             of_class("FolderError", &text)
         })

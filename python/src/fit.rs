@@ -76,8 +76,12 @@ pub fn model_of(model: Option<&Bound<'_, Model>>, dataset: &Dataset) -> PyResult
     }
     let folder = dataset.folder.as_deref().unwrap_or(Path::new(""));
     let name = program::fit::model_of(None, folder, &dataset.data).map_err(raise)?;
-    let tree = ModelTree::load(&name).map_err(raise)?;
-    Ok(Model::of(tree, name)?.checked)
+    let mut beside = dataset.beside.iter();
+    let tree = match beside.find(|(file, _)| *file == dataset.data.model) {
+        Some((file, text)) => ModelTree::parse(file, text),
+        None => ModelTree::load(&name),
+    };
+    Ok(Model::of(tree.map_err(raise)?, name)?.checked)
 }
 
 /// Replaces the results in a folder, all at once.

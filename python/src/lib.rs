@@ -22,6 +22,11 @@ use pyo3::prelude::*;
 #[cfg(feature = "as-tested")]
 use shared_features as _;
 
+#[cfg(panic = "abort")]
+compile_error!(
+    "a cancelled analysis would end the interpreter: build with --profile wheel, or without --release, so that panics unwind"
+);
+
 /// Runs the program `hyzer` with its arguments, the first of which is its name, and returns the exit status.
 #[pyfunction]
 fn main(py: Python<'_>, arguments: Vec<OsString>) -> u8 {

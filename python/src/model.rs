@@ -12,7 +12,7 @@ use model_spec::compose::ValueError;
 use model_spec::layout::Layout;
 use model_spec::model::Model as Checked;
 use pyo3::prelude::*;
-use pyo3::types::PyMapping;
+use pyo3::types::{PyList, PyMapping};
 
 use crate::array::{labels, vector};
 use crate::errors::{input, raise};
@@ -68,6 +68,15 @@ impl Model {
         let mut replaced = Vec::new();
         if let Some(parameters) = parameters {
             replaced = pairs(parameters, "parameters")?;
+            let known = Vocabulary::of(&tree.check().map_err(raise)?);
+            for (name, value) in &replaced {
+                let mut known = known.parameters.iter().chain(&known.coefficients);
+                let known = known.find(|known| known.name == *name);
+                if let Some(expected) = known.and_then(|own| own.expected_instead_of(*value)) {
+                    let found = format!("parameters: {name} is {value}, expected {expected}");
+                    return Err(input(found));
+                }
+            }
             let values = replaced.iter();
             let values = values.map(|(name, value)| (name.as_str(), *value));
             tree = tree.with_values(values).map_err(|error| match error {
@@ -199,8 +208,20 @@ fn named_items<'py>(p: &Bound<'py, PyAny>) -> PyResult<Option<Bound<'py, PyAny>>
         return Ok(Some(mapping.items()?.into_any()));
     }
     match labels(p)? {
-        Some(labels) if labels.iter().all(Option::is_some) => Ok(Some(p.call_method0("items")?)),
-        _ => Ok(None),
+        Some(labels) => {
+            let Some(names) = labels.into_iter().collect::<Option<Vec<String>>>() else {
+                return Ok(None);
+            };
+            let numpy = p.py().import("numpy")?;
+            let values = numpy.call_method1("asarray", (p,))?.try_iter()?;
+            let values: Vec<_> = values.collect::<PyResult<_>>()?;
+            if values.len() != names.len() {
+                return Ok(None);
+            }
+            let pairs = PyList::new(p.py(), names.into_iter().zip(values))?;
+            Ok(Some(pairs.into_any()))
+        }
+        None => Ok(None),
     }
 }
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+import xarray as xr
 from tests_of_program import program
 
 import hyzer
@@ -52,6 +53,17 @@ def test_labels_of_series_and_frames_are_names() -> None:
         DISC.rhs(0, x, pd.Series({"C_DO": 0.1}))
     with pytest.raises(hyzer.InputError, match="x has the labels"):
         DISC.rhs(0, pd.Series(x.to_numpy(), index=np.linspace(0, 1, 12)))
+
+
+def test_coordinates_and_lists_of_series_are_names() -> None:
+    x = DISC.fly("backhand").to_pandas().iloc[10]
+    base = DISC.rhs(0, x.to_numpy())
+    coords = {"state": list(DISC.states)}
+    array = xr.DataArray([x.to_numpy()], dims=("time", "state"), coords=coords)
+    assert np.array_equal(DISC.rhs(0, array.isel(state=slice(None, None, -1)))[0], base)
+    assert np.array_equal(DISC.rhs(0, [x.sort_index(), x])[0], base)
+    p = xr.DataArray([0.2, 0.1], dims="p", coords={"p": ["m", "C_D0"]})
+    assert np.array_equal(DISC.rhs(0, x, p), DISC.rhs(0, x, {"m": 0.2, "C_D0": 0.1}))
 
 
 def test_columns_of_frames_among_arrays_are_names() -> None:
@@ -186,6 +198,68 @@ def test_times_may_be_differences_or_dates() -> None:
     assert np.array_equal(ends[0], ends[2])
     with pytest.raises(hyzer.InputError, match="inputs: a has 4 parts"):
         hyzer.Release(speed=1, inputs={"a": np.zeros((4, 2))})
+
+
+def test_dates_of_inputs_count_from_those_of_their_flight(tmp_path: Path) -> None:
+    t = np.arange(0, 1, 0.02)
+    began = pd.Timestamp("2024-05-01 10:00")
+    seen = pd.DataFrame({"t": began + pd.to_timedelta(t, unit="s"), "rotor_x": t})
+    seen = seen.assign(rotor_y=0.0, rotor_z=1.0)
+    earlier = began - pd.Timedelta(0.5, unit="s")
+    force = pd.DataFrame({"t": [earlier, began + pd.Timedelta(2, unit="s")], "motor_1": [0.7, 0.8]})
+    about: dict[str, Any] = {"markers": {"rotor": (0.1, 0, 0)}, "model": "quadrotor"}
+
+    def rows(flight: pd.DataFrame, inputs: pd.DataFrame) -> str:
+        data = hyzer.Dataset.from_pandas({"a.csv": flight}, inputs={"a.csv": inputs}, **about)
+        data.save(tmp_path / "flights")
+        return (tmp_path / "flights/a-inputs.csv").read_text()
+
+    assert "\n-0.5,0.7\n" in rows(seen, force)
+    for flight, inputs in ((seen.assign(t=t), force), (seen, force.assign(t=[0.0, 2.0]))):
+        with pytest.raises(hyzer.InputError, match="inputs01.csv: its times are .* of one clock"):
+            rows(flight, inputs)
+    with pytest.raises(hyzer.InputError, match="its times are dates; recording states a unit"):
+        balls([FRAMES["flight01.csv"].assign(t=seen.t.iloc[0])], recording={"time": "ms"})
+
+
+def test_masks_with_the_keys_of_the_flights_go_by_them() -> None:
+    flights = dict(zip([8, 7, 6, 5, 4, 3, 2, 1], FRAMES.values()))
+    mask = pd.Series({k: k == 1 for k in range(1, 9)})
+    assert held_out(balls(flights, held_out=mask)) == [7]
+    assert held_out(balls(flights, held_out=dict(mask))) == [7]
+    assert held_out(balls(flights, held_out=mask.to_list())) == [0]
+    with pytest.raises(hyzer.InputError, match="held_out: found a mapping of 'yes'"):
+        balls(flights, held_out={1: "yes"})
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: hyzer.Dataset.from_pandas(None, **BALL), "flights: found None"),
+        (lambda: hyzer.synthesize("disc", None), "releases: found None"),
+        (lambda: balls(parameters={"m": None}), "m: found None, expected a number"),
+        (lambda: hyzer.Release(speed=1 + 2j).to_toml("disc"), r"speed: found \(1\+2j\)"),
+        (lambda: hyzer.Release({"x": 1.0}, speed=20), "found states and speed"),
+        (lambda: hyzer.fit("examples/ball", priors={"C_D": 0.3}), "priors: found 0.3 for C_D"),
+        (lambda: hyzer.fit("examples/ball", threads=-1), "threads is -1"),
+        (lambda: hyzer.bootstrap("examples/ball", refits=-1), "refits is -1"),
+        (lambda: hyzer.design("ball", "hit", target="3,0,0"), "target is '3,0,0'"),
+        (lambda: hyzer.Model("ball", parameters={"C_D": 7}), "C_D is 7, expected"),
+        (
+            lambda: hyzer.Dataset.import_takes("a", model="disc", parameters={"mass": 0.2}),
+            'no parameter "mass"',
+        ),
+        (
+            lambda: hyzer.Dataset.from_arrays(
+                {"t": [0, 1], "g": np.zeros((2, 3))}, sensors={"g": {"kind": "gyro"}}
+            ),
+            "the kind 'gyro' of 'g', expected one of pose, gyroscope",
+        ),
+    ],
+)
+def test_what_is_no_value_is_named(call: Callable[[], Any], message: str) -> None:
+    with pytest.raises(hyzer.InputError, match=message):
+        call()
 
 
 @pytest.mark.parametrize(

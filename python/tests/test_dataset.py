@@ -344,3 +344,24 @@ def test_a_dataset_names_its_model() -> None:
     for wrong, found in [(model, "a Model"), (model.text, "the text of a model")]:
         with pytest.raises(hyzer.InputError, match=f"model: found {found}"):
             hyzer.Dataset.from_pandas(frame, markers={"centre": (0, 0, 0)}, model=wrong)
+
+
+def test_a_model_of_a_file_goes_with_the_dataset(tmp_path: Path) -> None:
+    heavy = hyzer.Model("ball", parameters={"m": 0.004})
+    release = hyzer.Release(speed=8, launch=20, height=1.5, until=0.4)
+    made = hyzer.synthesize(heavy, release, markers={"centre": (0, 0, 0)})
+    assert hyzer.fit(made).reliable
+    file = tmp_path / "heavy.hyz"
+    file.write_text(heavy.text, encoding="utf-8")
+    about: dict[str, Any] = {"markers": {"centre": (0, 0, 0)}, "model": file}
+    hyzer.Dataset.from_pandas(made.to_pandas(), **about).save(tmp_path / "flights")
+    file.unlink()
+    assert hyzer.fit(tmp_path / "flights").coefficients.C_D.std_error < 0.1
+
+
+def test_exact_flights_in_a_plane_are_fitted() -> None:
+    ball = hyzer.Model("ball")
+    flown = [ball.fly(hyzer.Release(speed=10 + k, launch=30, height=1.5), 0.5) for k in range(3)]
+    arrays = [{"t": flight.t, "centre": flight.states[:, :3]} for flight in flown]
+    data = hyzer.Dataset.from_arrays(arrays, markers={"centre": (0, 0, 0)}, model="ball")
+    assert abs(hyzer.fit(data).coefficients.C_D.value - ball.defaults["C_D"]) < 1e-6

@@ -279,3 +279,23 @@ def test_a_dataset_without_flights_to_fit_is_a_fit_error() -> None:
         hyzer.fit(data)
     with pytest.raises(hyzer.InputError, match="frob"):
         hyzer.diagnose("examples/disc", without=["frob"])
+
+
+def test_constants_that_cannot_be_told_apart_and_a_noise_in_another_unit_are_cautions() -> None:
+    both = hyzer.fit("examples/ball", free="m")
+    assert not both.reliable
+    assert "do not determine C_D and m apart from one another" in " ".join(both.cautions)
+    frames = hyzer.Dataset.read("examples/ball").to_pandas()
+    about: dict[str, Any] = {"markers": {"centre": (0, 0, 0)}, "model": "ball"}
+    for sigma, is_right in ((1e-4, False), (2e-3, True), (1.0, False)):
+        fit = hyzer.fit(hyzer.Dataset.from_pandas(frames, sigma=sigma, **about))
+        assert ("correct `sigma`" in " ".join(fit.cautions)) is not is_right, fit.cautions
+
+
+def test_residuals_are_measured_minus_predicted() -> None:
+    fit = hyzer.fit("examples/ball")
+    left = fit.residuals()
+    assert set(left.marker) == {"centre"}
+    used = left[~left.outlier & left.file.isin(f.file for f in fit.flights if f.role == "fit")]
+    rms = float(np.sqrt((used[["x_m", "y_m", "z_m"]] ** 2).to_numpy().mean()))
+    assert abs(rms / fit.residual_rms.marker.value - 1) < 0.02

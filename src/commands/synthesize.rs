@@ -6,9 +6,9 @@ use anyhow::{Context, bail};
 use dataset::synthesize::{Corruption, Plan, Spread, SyntheticDataset, flights};
 use dataset::{Marker, write_with};
 use flight::release::Release;
-use model_spec::ModelTree;
 use model_spec::model::Model;
 
+use super::fit::model_file;
 use super::simulate::{apply_all, released};
 use super::vector;
 use crate::cli::Synthesize;
@@ -23,10 +23,10 @@ pub(super) fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     let mut beside = Vec::new();
     // A model that is not built in is copied into the dataset.
     let named = options.model.as_deref().unwrap_or(&releases[0].model);
-    let own_file = format!("{}.hyz", model.name);
-    if Path::new(named).is_file() {
-        beside.push((own_file.as_str(), alone(named)?));
-        made.dataset.model = own_file.clone();
+    let own = model_file(named)?;
+    if let Some((file, text)) = &own {
+        beside.push((file.as_str(), text.clone()));
+        made.dataset.model.clone_from(file);
     }
     beside.push(("truth.toml", made.truth.text()));
     progress::writing(|| write_with(&options.out, &made.dataset, &beside))
@@ -37,15 +37,6 @@ pub(super) fn run(options: &Synthesize) -> anyhow::Result<Answer> {
         options.out.display()
     ));
     Ok(Answer::Yes)
-}
-
-/// Text of a model's file; of one that names other files, the text that stands alone.
-fn alone(path: &str) -> anyhow::Result<String> {
-    let tree = ModelTree::load(path)?;
-    Ok(match tree.sources() {
-        [only] => only.text.clone(),
-        _ => tree.to_text(""),
-    })
 }
 
 /// The releases, with the changes by options, and the model that they have in common.

@@ -26,7 +26,7 @@ impl Pose {
 }
 
 /// Ratio of the markers' spread normal to the best-fit line to their total spread, below which they are collinear.
-const COLLINEAR: f64 = 0.02;
+const COLLINEAR: f64 = 0.005;
 
 /// Whether the markers determine the attitude of a body: there are at least three, and they are not collinear.
 pub fn fix_attitude(markers: &[[f64; 3]]) -> bool {

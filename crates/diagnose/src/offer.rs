@@ -109,7 +109,7 @@ impl<R> MeasuredExtension<R> {
         report::note_not_applied(report, &self.not_applied);
         let [was, is] = [before, &fit].map(|fit| evidence(context, fit));
         report.curves = report::curves(context.model, &was, &is);
-        let residuals = LackOfFit::of_fit(&fit, context.options.fit.threads());
+        let residuals = LackOfFit::with_missing_term(&fit, context.options.fit.threads());
         report::add_residuals(report, if_possible(residuals)?.flatten());
         Ok(Some(((extension, fit), self.callback_result)))
     }

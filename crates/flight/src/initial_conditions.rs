@@ -14,7 +14,7 @@ const QUATERNION_TOLERANCE: f64 = 1e-6;
 /// Initial conditions, parameters, wind and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Release {
-    /// Name or path of the model, as written in the release file.
+    /// Name of the model, or its path: one beside the release file is found there.
     pub model: String,
     /// Condition that ends the flight.
     pub stop: Stop,

@@ -4,6 +4,10 @@ use std::ops::{Deref, DerefMut};
 
 use crate::levels::MIN_SERIES;
 
+/// Least standard deviation of noise, m or the unit of a sensor: exact residuals, as of motion in a plane of the axes, keep
+/// a finite weight.
+const LEAST_SIGMA: f64 = 1e-12;
+
 /// Noise of all channels: one AR(1) process per noise group. Dereferences to that of the first group, the markers' if
 /// there are any.
 #[derive(Clone, Debug, PartialEq)]
@@ -222,7 +226,7 @@ impl Moments {
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;
         let sigma = [0, 1, 2].map(|axis| {
             let estimated = (self.squares[axis] / self.count.max(1) as f64 * spread).sqrt();
-            given.unwrap_or(estimated).max(f64::MIN_POSITIVE.sqrt())
+            given.unwrap_or(estimated).max(LEAST_SIGMA)
         });
         let ar1 = [0, 1, 2].map(|axis| {
             // Few pairs do not determine an autocorrelation.

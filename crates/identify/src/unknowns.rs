@@ -63,6 +63,9 @@ impl Resolved<'_> {
             })?;
         }
         for (name, error) in coefficients.iter().zip(errors) {
+            if self.fixed.iter().any(|(own, _)| own == name) {
+                continue;
+            }
             match error > 0.0 {
                 true => self.priors.push(Prior {
                     name: (*name).to_owned(),

@@ -220,9 +220,11 @@ def ordered(what: str, value: Any, names: Sequence[str]) -> Any:
 
 
 def _labels(value: Any) -> list[Any]:
-    """Return the labels of the last axis of an array of pandas or xarray; none of another one."""
+    """Return the labels of the last axis of an array of pandas, polars or xarray; else none."""
+    if hasattr(value, "columns"):
+        return list(value.columns)
     if hasattr(value, "iloc"):
-        return list(value.columns if hasattr(value, "columns") else value.index)
+        return list(value.index)
     dims, coords = getattr(value, "dims", ()), getattr(value, "coords", {})
     return list(coords[dims[-1]].values) if dims and dims[-1] in coords else []
 

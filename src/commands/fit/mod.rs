@@ -224,6 +224,26 @@ pub fn model_of(
     }
 }
 
+/// File name and text of a model that is a file, for a folder that is to hold it; `None` of a built-in one.
+///
+/// # Errors
+/// If the file has faults.
+pub fn model_file(named: &str) -> anyhow::Result<Option<(String, String)>> {
+    let Some(stem) = Path::new(named)
+        .file_stem()
+        .filter(|_| Path::new(named).is_file())
+    else {
+        return Ok(None);
+    };
+    let tree = ModelTree::load(named)?;
+    // A text that names other files would not stand alone.
+    let text = match tree.sources() {
+        [only] => only.text.clone(),
+        _ => tree.to_text(""),
+    };
+    Ok(Some((format!("{}.hyz", stem.to_string_lossy()), text)))
+}
+
 /// Time at which a computation with the option `--max-seconds` ends.
 pub(super) fn deadline(seconds: Option<f64>) -> anyhow::Result<Option<Instant>> {
     let Some(seconds) = seconds else {

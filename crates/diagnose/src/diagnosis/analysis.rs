@@ -199,6 +199,7 @@ impl<'a> Analysis<'a> {
             report::withdraw_inadequate(&mut report);
         }
         report::describe_departures(&mut report);
+        report::withdraw_stand_ins(&mut report);
         report::withdraw_by_excess(&mut report, self.before.report.excess.as_ref());
         let extended = after.as_ref().map(|(_, fit)| &fit.report);
         report::withdraw_by_doubts(&mut report, &self.before.report, extended);

@@ -15,7 +15,7 @@ pub(crate) use narrative::{refused, summary};
 pub(crate) use report_builder::{build_report, unattributed_report};
 pub(crate) use residuals::{
     add_residuals, describe_departures, display_names, note_incomplete, note_not_offered,
-    withdraw_by_doubts, withdraw_by_excess, withdraw_inadequate,
+    withdraw_by_doubts, withdraw_by_excess, withdraw_inadequate, withdraw_stand_ins,
 };
 
 pub use curves::{CoefficientCurve, intervals};

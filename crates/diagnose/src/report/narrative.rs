@@ -312,7 +312,8 @@ fn omitted_variable_bias(report: &Report) -> String {
         })
     });
     let biased: Vec<String> = biased.collect();
-    if biased.is_empty() {
+    // What merely stands in for the missing effect corrects nothing.
+    if biased.is_empty() || report.verdict == Verdict::Unattributed {
         return String::new();
     }
     format!(

@@ -95,6 +95,24 @@ pub(crate) fn withdraw_inadequate(report: &mut Report) {
     report.unattributed = Some(Unattributed::described(description));
 }
 
+/// Withdraws the verdict where several effects explain the residuals together, and the tests of the extended model show that
+/// it lacks a term still: the effects stand in for one that is no candidate, as powers of the speed for another law of it.
+pub(crate) fn withdraw_stand_ins(report: &mut Report) {
+    let (Some(missing), Some(nearest)) = (report.missing_term(), report.explanations.first())
+    else {
+        return;
+    };
+    if nearest.effects.len() < 2 {
+        return;
+    }
+    let description = format!(
+        "{} With these effects, {missing} They stand in for an effect that is no candidate.",
+        explains(nearest)
+    );
+    report.verdict = Verdict::Unattributed;
+    report.unattributed = Some(Unattributed::described(description));
+}
+
 /// Withdraws the verdict that the model is adequate where the residuals exceed the noise between the markers.
 pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
     let Some(excess) = excess.filter(|_| report.verdict == Verdict::Adequate) else {
@@ -216,8 +234,10 @@ impl Report {
             ),
         ];
         self.cautions = cautions.into_iter().flatten().collect();
-        self.cautions
-            .extend(before.report.doubtful_constants().cloned());
+        let missing = self.missing_term();
+        let missing = missing.map(|missing| format!("with what was found, {missing}"));
+        let constants = before.report.doubtful_constants().cloned();
+        self.cautions.extend(missing.into_iter().chain(constants));
         if self.verdict == Verdict::Adequate {
             self.cautions.extend(fit.report.doubt_of_summaries.clone());
         }
@@ -225,9 +245,20 @@ impl Report {
         self.verified = verified;
     }
 
+    /// Whether the diagnosis states what is missing.
+    fn states_cause(&self) -> bool {
+        matches!(self.verdict, Verdict::Identified | Verdict::Ambiguous)
+    }
+
+    /// Sentence on the term that the extended model lacks by its tests, if the diagnosis states what is missing.
+    fn missing_term(&self) -> Option<String> {
+        let test = self.lack_of_fit.as_ref().filter(|_| self.states_cause());
+        test?.missing_term()
+    }
+
     /// Whether the diagnosis states what is missing, and the residuals with it are not noise.
     fn lack_remains(&self) -> bool {
-        let is_stated = matches!(self.verdict, Verdict::Identified | Verdict::Ambiguous);
+        let is_stated = self.states_cause();
         let test = self.lack_of_fit.as_ref();
         is_stated && test.is_some_and(|test| test.fails(self.threshold.alpha))
     }

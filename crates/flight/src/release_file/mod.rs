@@ -117,7 +117,8 @@ impl<'t> Reader<'t> {
         let Some(model_name) = name.get_ref().as_str() else {
             return self.refuse_type(name, "model", "a name or a path, as in model = \"disc\"");
         };
-        let mut vocabulary = match vocabulary(&self.beside(model_name)) {
+        let of_file = self.beside(model_name);
+        let mut vocabulary = match vocabulary(&of_file) {
             Ok(vocabulary) => vocabulary,
             Err(why) => return self.refuse(name.span(), why.to_string()),
         };
@@ -166,7 +167,7 @@ impl<'t> Reader<'t> {
         let (constant, inputs) = self.inputs(document, &vocabulary);
         let parameters = parameters.into_iter().chain(constant).collect();
         let mut release = Release {
-            model: model_name.into(),
+            model: of_file,
             stop: stop?,
             parameters,
             coefficients,

@@ -48,14 +48,7 @@ impl Fit {
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
     pub fn with_lack_of_fit(mut self, threads: usize) -> Result<Fit, FitError> {
-        let flights = fitted_flights(&self, threads);
-        let mut found = LackOfFit::of_flights(&self, &flights, threads)?;
-        if let Some(found) = &mut found
-            && !found.fails(LACK_OF_FIT_LEVEL)
-        {
-            found.missing_term = MissingTerm::of_fit(&self, &flights, threads)?;
-        }
-        self.report.lack_of_fit = found;
+        self.report.lack_of_fit = LackOfFit::with_missing_term(&self, threads)?;
         self.report.assess();
         Ok(self)
     }
@@ -68,6 +61,21 @@ impl LackOfFit {
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
     pub fn of_fit(fit: &Fit, threads: usize) -> Result<Option<Self>, FitError> {
         Self::of_flights(fit, &fitted_flights(fit, threads), threads)
+    }
+
+    /// [`of_fit`](Self::of_fit), with the tests of missing terms if the residuals pass as noise.
+    ///
+    /// # Errors
+    /// [`FitError::Flight`] if a trajectory cannot be integrated.
+    pub fn with_missing_term(fit: &Fit, threads: usize) -> Result<Option<Self>, FitError> {
+        let flights = fitted_flights(fit, threads);
+        let mut found = Self::of_flights(fit, &flights, threads)?;
+        if let Some(found) = &mut found
+            && !found.fails(LACK_OF_FIT_LEVEL)
+        {
+            found.missing_term = MissingTerm::of_fit(fit, &flights, threads)?;
+        }
+        Ok(found)
     }
 
     fn of_flights(

@@ -1,8 +1,9 @@
 //! Assessment whether a fit is reliable, with the reasons if it is not.
 
-use super::{Coefficient, FitReport, FitStatus, InputNoise, stated};
-use crate::levels::{LEAST_NOISE, SIGNIFICANT};
-use crate::numbers::Digits;
+use super::{Coefficient, FitReport, FitStatus, InputNoise, LackOfFit, stated};
+use crate::levels::{FAR_ABOVE, LEAST_NOISE, SIGNIFICANT};
+use crate::numbers::{Digits, significant};
+use crate::uncertainty::CONFOUNDED;
 use crate::wording::{count, listed};
 use dataset::Role;
 
@@ -65,7 +66,10 @@ fn cautions(report: &FitReport) -> Vec<String> {
     let cautions = [
         convergence_caution(report, "the fit"),
         exclusion_caution(report),
-        above_noise_floor(report).or_else(|| lack_of_fit(report)),
+        stated_noise(report)
+            .or_else(|| above_noise_floor(report))
+            .or_else(|| lack_of_fit(report)),
+        confounded(report),
         input_noise(report),
         missing_term(report),
         data_faults(report),
@@ -123,6 +127,41 @@ fn above_noise_floor(report: &FitReport) -> Option<String> {
     })
 }
 
+/// Caution that the dataset states another noise of positions than the measurements show: their scatter without a model is
+/// far above it, or the residuals, which no model makes smaller than the noise, are far below.
+fn stated_noise(report: &FitReport) -> Option<String> {
+    let noise = report.position_noise().filter(|noise| !noise.estimated)?;
+    let shown = [noise.floor?, report.rms()].map(|own| own.max(LEAST_NOISE));
+    let [floor, rms] = shown.map(|own| own / noise.sigma);
+    let (seen, ratio) = match floor > FAR_ABOVE {
+        true => ("the scatter of the measurements", floor),
+        false => ("the residuals", rms),
+    };
+    (floor > FAR_ABOVE || rms * FAR_ABOVE < 1.0).then(|| {
+        format!(
+            "the dataset states a noise of {:.2} mm, and {seen} is {} times that: correct `sigma`, in m, or leave it out to have it estimated",
+            1e3 * noise.sigma,
+            significant(ratio, 2)
+        )
+    })
+}
+
+/// Caution that coefficients have no finite standard error, as the flights show a combination of them alone.
+fn confounded(report: &FitReport) -> Option<String> {
+    let found = report.not_identifiable.first()?;
+    (found.relative_error > CONFOUNDED).then(|| {
+        format!(
+            "the flights do not determine {}{}: hold one by `--hold`, or state a prior",
+            listed(&found.combination),
+            if found.combination.len() > 1 {
+                " apart from one another"
+            } else {
+                ""
+            },
+        )
+    })
+}
+
 /// Caution that the residuals are not noise: the standard errors of the estimates count noise alone.
 fn lack_of_fit(report: &FitReport) -> Option<String> {
     let test = report.lack_of_fit.as_ref()?;
@@ -143,13 +182,19 @@ pub fn input_noise(report: &FitReport) -> Option<String> {
 
 /// Caution that a term is missing: the estimates are those of a model that lacks a force or moment.
 fn missing_term(report: &FitReport) -> Option<String> {
-    let test = report.lack_of_fit.as_ref()?.missing_term.as_ref()?;
-    (test.p_value < LACK_OF_FIT_LEVEL).then(|| {
-        format!(
-            "{} The standard errors do not hold: `hyzer diagnose` searches for the cause",
-            test.sentence()
-        )
-    })
+    let sentence = report.lack_of_fit.as_ref()?.missing_term()?;
+    Some(format!(
+        "{sentence} The standard errors do not hold: `hyzer diagnose` searches for the cause"
+    ))
+}
+
+impl LackOfFit {
+    /// Sentence on the term that the tests show to be missing; `None` if they show none.
+    #[doc(hidden)]
+    pub fn missing_term(&self) -> Option<String> {
+        let test = self.missing_term.as_ref()?;
+        (test.p_value < LACK_OF_FIT_LEVEL).then(|| test.sentence())
+    }
 }
 
 /// Caution that an estimate is at a bound, where the likelihood has no maximum and thus gives no standard error.

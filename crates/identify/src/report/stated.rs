@@ -9,6 +9,10 @@ use dataset::Dataset;
 /// larger, degrees 57 times, and bodies that one model describes are mostly nearer.
 const FAR: f64 = 50.0;
 
+/// Gravity in feet and in inches per s², over that in m/s², with the relative difference up to which a ratio is one of them:
+/// gravity hardly differs from place to place.
+const GRAVITY_UNITS: ([f64; 2], f64) = ([3.2808, 39.37], 0.01);
+
 /// Ratio of two numbers up to which they are of one size.
 const ALIKE: f64 = 5.0;
 
@@ -17,6 +21,8 @@ const ALIKE: f64 = 5.0;
 pub struct FarConstant {
     /// Stated value over the model's.
     ratio: f64,
+    /// Whether the ratio is that of two units.
+    is_in_other_unit: bool,
     /// What is stated, and the model's value, as a sentence.
     pub(super) sentence: String,
 }
@@ -27,8 +33,11 @@ pub fn far_constants(problem: &FitProblem, dataset: &Dataset) -> Vec<FarConstant
     let far = parameters.filter_map(|own| {
         let stated = *dataset.parameters.get(&own.name)?;
         let ratio = (stated / own.value).abs();
-        differ(ratio, FAR).then(|| FarConstant {
+        let is_unit = |unit: f64| (ratio / unit - 1.0).abs() < GRAVITY_UNITS.1;
+        let is_in_other_unit = own.name == "g" && GRAVITY_UNITS.0.into_iter().any(is_unit);
+        (is_in_other_unit || differ(ratio, FAR)).then(|| FarConstant {
             ratio,
+            is_in_other_unit,
             sentence: format!(
                 "{} is stated as {}, {} times the {} of the model: state it in the unit of the model, or make a model whose value is near",
                 own.name,
@@ -51,7 +60,7 @@ pub fn cautions(report: &FitReport, is_doubtful: bool) -> impl Iterator<Item = S
             own.at_bound || both.iter().any(|of| !differ(*of, ALIKE))
         };
         let mut estimated = report.coefficients.values().filter(|own| !own.fixed);
-        is_doubtful || estimated.any(is_as_far)
+        constant.is_in_other_unit || is_doubtful || estimated.any(is_as_far)
     });
     far.map(|constant| constant.sentence.clone())
 }

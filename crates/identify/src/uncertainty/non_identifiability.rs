@@ -15,6 +15,9 @@ use crate::wording::listed;
 /// coefficient that is named, relative to the largest.
 const DIRECTION: (f64, f64) = (0.5, 0.3);
 
+/// Standard error of a direction, in typical magnitudes, above which the flights do not show it at all.
+pub const CONFOUNDED: f64 = 1e3;
+
 /// Minimum and maximum of each auxiliary variable and state over the flights.
 type ExcitationRange = BTreeMap<String, (f64, f64)>;
 
@@ -76,7 +79,7 @@ fn reason(
     ranges: &ExcitationRange,
 ) -> String {
     let names: Vec<&str> = members.iter().map(|&i| global[i].name.as_str()).collect();
-    let much = if error > 1e3 {
+    let much = if error > CONFOUNDED {
         "any amount".to_owned()
     } else {
         format!("{:.0} % of what is usual", 100.0 * error)

@@ -64,7 +64,11 @@ impl<'a> Recording<'a> {
     /// file is malformed, or contradicts itself in a way that has several sensible interpretations.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Fault> {
         if bytes.len() < 2 * BLOCK || bytes[1] != 0x50 {
-            return refuse(1, "no C3D header", "a C3D file, whose second byte is 0x50");
+            return refuse(
+                1,
+                "no C3D header",
+                "a C3D file: 1024 bytes or more, the second of which is 0x50",
+            );
         }
         let start = usize::from(bytes[0]).wrapping_sub(1).saturating_mul(BLOCK);
         let Some(&processor) = bytes.get(start.saturating_add(3)).filter(|_| start > 0) else {
