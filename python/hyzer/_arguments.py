@@ -72,8 +72,8 @@ def selected(value: Any, files: Mapping[Any, str], what: str) -> list[str]:
     is_mapping = isinstance(value, Mapping)
     labels: list[Any] | None = None
     if is_mapping or hasattr(value, "iloc"):
-        labels = [plain(label) for label, _ in value.items()]
-        value = [item for _, item in value.items()]
+        pairs: list[tuple[Any, Any]] = list(cast("Any", value).items())
+        labels, value = [plain(label) for label, _ in pairs], [item for _, item in pairs]
     is_one = isinstance(value, str) or not hasattr(value, "__iter__")
     each: list[Any] = [value] if is_one else list(value)
     items = [plain(item) for item in each]

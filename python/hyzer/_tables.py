@@ -96,7 +96,7 @@ def text_of(
 def _times(frame: pd.DataFrame) -> Any:
     """Return the times of a table: its column or index `t`; None if it has none."""
     is_indexed = "t" not in frame.columns and frame.index.name == "t"
-    return frame.index if is_indexed else frame.get("t")
+    return frame.index if is_indexed else cast("Any", frame).get("t")
 
 
 def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, str]) -> str:
