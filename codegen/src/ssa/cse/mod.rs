@@ -14,12 +14,12 @@ pub(super) use products::share as share_products;
 pub(super) use sums::share as share_sums;
 
 /// Shares pairs of operands of the definitions in use, the pair with the highest score first. `pairs` lists those of a
-/// definition, all or those with one operand; `replace` returns what it has put in place of a pair, and where.
+/// definition, all or those with one operand.
 fn share<P: Copy + Ord + Hash>(
     ssa: &mut Ssa,
     pairs: fn(&Ssa, DefId, Option<DefId>) -> Vec<P>,
     score: fn(&Ssa, P, &[DefId]) -> Option<Score>,
-    replace: fn(&mut Ssa, P, Vec<DefId>) -> (DefId, Vec<DefId>),
+    replace: fn(&mut Ssa, P, Vec<DefId>) -> Replaced,
 ) {
     let uses = ssa.uses();
     let mut candidates = Candidates::new();
@@ -74,6 +74,9 @@ fn merge_equal<P: Eq + Hash>(
     }
     ssa.redirect(&target);
 }
+
+/// What has been put in place of a pair, and the definitions in which it has been.
+type Replaced = (DefId, Vec<DefId>);
 
 /// Operations saved by sharing a pair, and whether it depends on parameters only.
 type Score = (usize, bool);

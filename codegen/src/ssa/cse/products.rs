@@ -1,6 +1,6 @@
 //! Common-subexpression elimination in products, by greedy extraction of pairs.
 
-use super::{Score, merge_equal, pairs_of};
+use super::{Replaced, Score, merge_equal, pairs_of};
 use crate::ssa::{DefId, Ssa, SsaDef};
 
 type Pair = (DefId, DefId);
@@ -13,7 +13,7 @@ pub fn share(ssa: &mut Ssa) {
     });
 }
 
-fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> (DefId, Vec<DefId>) {
+fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Replaced {
     users.retain(|&id| count(factors(ssa, id), pair) > 0);
     let shared = ssa.product(vec![pair.0, pair.1]);
     users.retain(|&id| id != shared);

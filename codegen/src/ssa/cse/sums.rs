@@ -1,6 +1,6 @@
 //! Common-subexpression elimination in sums: common pairs of terms are computed once, up to sign.
 
-use super::{Score, merge_equal, pairs_of};
+use super::{Replaced, Score, merge_equal, pairs_of};
 use crate::ssa::{DefId, Signed, Ssa, SsaDef, sort_terms};
 
 /// Two terms that occur in one sum, and whether their signs differ.
@@ -15,7 +15,7 @@ pub fn share(ssa: &mut Ssa) {
     });
 }
 
-fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> (DefId, Vec<DefId>) {
+fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Replaced {
     // share an existing sum equal to the pair
     let mut all = users.iter().copied();
     let whole = all.find(|&id| terms(ssa, id).len() == 2 && sign(terms(ssa, id), pair).is_some());
