@@ -65,6 +65,13 @@ pub fn inspect_open(name: &str, text: &str, open: &Open<'_>) -> Result<Loaded, L
     inspect_tree(tree, diagnostics, &[])
 }
 
+/// Model of the statements of a text that have no error, for editors; `None` if these are no model. Files count as in
+/// [`inspect_open`].
+pub fn sound_part(name: &str, text: &str, open: &Open<'_>) -> Option<Model> {
+    let (tree, _) = ModelTree::parse_open(name, text, open);
+    tree.check_sound()
+}
+
 fn inspect_tree(
     mut tree: ModelTree,
     mut diagnostics: Vec<Diagnostic>,

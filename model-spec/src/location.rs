@@ -65,6 +65,11 @@ impl Span {
             ..self
         }
     }
+
+    /// Whether another span lies within this one.
+    pub(crate) fn contains(self, other: Span) -> bool {
+        self.source == other.source && self.start <= other.start && other.end <= self.end
+    }
 }
 
 #[cfg(test)]

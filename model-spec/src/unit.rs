@@ -125,12 +125,13 @@ impl Unit {
         self.agrees(Unit::ONE)
     }
 
-    /// Removes a radian beside base units other than the second (`m*rad/s²` is `m/s²`), or above the power 1.
+    /// Removes a radian beside base units other than the second (`m*rad/s²` is `m/s²`), above the power 1, or in a divisor
+    /// beside the second.
     #[must_use]
     pub fn tidy(self) -> Unit {
         let mut tidied = self;
         let others = [0, 1, 3, 4, 5, 6].iter().any(|&i| self.doubled[i] != 0);
-        if others || self.doubled[7] > 2 {
+        if others || self.doubled[7] > 2 || self.doubled[7] < 0 && self.doubled[2] != 0 {
             tidied.doubled[7] = 0;
         }
         tidied
@@ -310,6 +311,10 @@ mod tests {
         assert!(swept.agrees(Unit::of([1, 0, -2, 0, 0, 0, 0, 0])));
         assert_eq!(swept.tidy().to_string(), "m/s^2");
         assert_eq!(Unit::RATE.tidy(), Unit::RATE);
+        assert_eq!(
+            Unit::of([0, 0, -1, 0, 0, 0, 0, -1]).tidy().to_string(),
+            "1/s"
+        );
         assert_eq!(swept.quantity().unwrap().0, "an acceleration");
     }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use model_spec::LoadError;
 use model_spec::compose::{EffectTree, ModelTree};
 use model_spec::diagnostic::{Diagnostic, Source};
-use model_spec::load::{Open, inspect_open};
+use model_spec::load::{Open, inspect_open, sound_part};
 use model_spec::model::Model;
 use model_spec::symbols::Symbols;
 use model_spec::syntax::ast::{self, ItemKind};
@@ -35,8 +35,10 @@ pub struct Document {
     analysis: Analysis,
     /// Whether the text, or one that it includes, has changed since.
     is_stale: bool,
-    /// The model of the last text that had one.
+    /// The model of the last text that had one; until then, of the statements that have no error.
     model: Option<Model>,
+    /// Whether a text has been a model without errors of grammar and names.
+    was_whole: bool,
     /// Operations for each quantity of that model, once they are asked for.
     operations: OnceCell<Vec<usize>>,
 }
@@ -64,6 +66,7 @@ impl Document {
             analysis: Analysis::default(),
             is_stale: true,
             model: None,
+            was_whole: false,
             operations: OnceCell::new(),
         };
         document.set(text.to_owned());
@@ -107,7 +110,7 @@ impl Document {
         self.is_stale
     }
 
-    /// The model of the last text that had one.
+    /// The model of the last text that had one; until then, of the statements that have no error.
     pub fn model(&self) -> Option<&Model> {
         self.model.as_ref()
     }
@@ -121,12 +124,18 @@ impl Document {
 
     /// Checks the text; of the files that are `open`, these texts count.
     pub fn check(&self, open: &Open<'_>) -> Checked {
-        checked(&self.path, &self.text, open)
+        let mut found = checked(&self.path, &self.text, open);
+        found.is_whole = found.model.is_some();
+        if !found.is_whole && !self.was_whole {
+            found.model = sound_part(&self.path, &self.text, open);
+        }
+        found
     }
 
     /// Takes over what [`Document::check`] found.
-    pub fn learn(&mut self, (faults, sources, model): Checked) {
-        if let Some(model) = model {
+    pub fn learn(&mut self, found: Checked) {
+        self.was_whole |= found.is_whole;
+        if let Some(model) = found.model {
             self.model = Some(model);
             self.operations = OnceCell::new();
         }
@@ -136,15 +145,34 @@ impl Document {
         };
         self.analysis = Analysis {
             symbols,
-            faults,
-            sources,
+            faults: found.faults,
+            sources: found.sources,
         };
         self.is_stale = false;
     }
 }
 
-/// Errors of a text, the texts to which they refer, and the model if there is one.
-pub type Checked = (Vec<Diagnostic>, Vec<Source>, Option<Model>);
+/// What a check of a text finds out.
+#[derive(Default)]
+pub struct Checked {
+    faults: Vec<Diagnostic>,
+    /// Texts to which the errors refer.
+    sources: Vec<Source>,
+    model: Option<Model>,
+    /// Whether the model is that of the whole text.
+    is_whole: bool,
+}
+
+impl Checked {
+    fn new(faults: Vec<Diagnostic>, sources: Vec<Source>, model: Option<Model>) -> Checked {
+        Checked {
+            faults,
+            sources,
+            model,
+            is_whole: false,
+        }
+    }
+}
 
 fn checked(path: &str, text: &str, open: &Open<'_>) -> Checked {
     let parsed = parse(path, text);
@@ -159,19 +187,19 @@ fn checked(path: &str, text: &str, open: &Open<'_>) -> Checked {
             if let Some(model) = model.filter(|_| loaded.diagnostics.is_empty()) {
                 loaded.diagnostics = computed::failing_checks(model);
             }
-            (loaded.diagnostics, loaded.sources, loaded.model)
+            Checked::new(loaded.diagnostics, loaded.sources, loaded.model)
         }
         Err(LoadError::Faults {
             diagnostics,
             sources,
-        }) => (diagnostics, sources, None),
-        Err(_) => (Vec::new(), Vec::new(), None),
+        }) => Checked::new(diagnostics, sources, None),
+        Err(_) => Checked::default(),
     }
 }
 
 /// Checks an effect by the first model that it names, a file beside it or a built-in one.
 fn of_effect(path: &str, text: &str, faults: Vec<Diagnostic>) -> Checked {
-    let none = |faults| (faults, Vec::new(), None);
+    let none = |faults| Checked::new(faults, Vec::new(), None);
     if !faults.is_empty() {
         return none(faults);
     }
@@ -188,8 +216,8 @@ fn of_effect(path: &str, text: &str, faults: Vec<Diagnostic>) -> Checked {
         return none(Vec::new());
     };
     match tree.with(&effect).and_then(|extended| extended.check()) {
-        Ok(model) => (Vec::new(), Vec::new(), Some(model)),
-        Err(error) => (in_source(error, path), Vec::new(), tree.check().ok()),
+        Ok(model) => Checked::new(Vec::new(), Vec::new(), Some(model)),
+        Err(error) => Checked::new(in_source(error, path), Vec::new(), tree.check().ok()),
     }
 }
 

@@ -92,7 +92,7 @@ fn elements<'m>(model: &'m Model, name: &str) -> impl Iterator<Item = &'m str> {
     given.chain(computed).filter(is_element)
 }
 
-/// Adds value and formula of a named quantity, or the values of an array's elements, to its unit and frame.
+/// Adds value and formula of a named quantity to its unit and frame.
 pub fn complete(model: &Model, name: &str, facts: &mut Facts) {
     let own = model.aux_variables.iter().rposition(|own| own.name == name);
     if let Some(own) = own {
@@ -100,9 +100,12 @@ pub fn complete(model: &Model, name: &str, facts: &mut Facts) {
             facts.value = with_unit(value, &unit_of(&model.aux_variables[own].value));
         }
         facts.formula = formula(model, name);
-    } else if facts.value.is_empty() {
-        facts.value = values(model, name, &facts.of).unwrap_or_default();
     }
+}
+
+/// Adds the values of an array's elements to its unit and frame.
+pub fn complete_array(model: &Model, name: &str, facts: &mut Facts) {
+    facts.value = values(model, name, &facts.of).unwrap_or_default();
 }
 
 /// Values of the first elements of an array, with their unit; `None` if one is not constant.

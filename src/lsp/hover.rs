@@ -23,7 +23,9 @@ pub fn hover(document: &Document, position: &Value) -> Value {
     let shown = match word.kind {
         WordKind::Declaration(own) | WordKind::Reference(own) => {
             let declaration = &symbols.declarations[own];
-            Some(of_declaration(document, declaration))
+            let behind = document.text.get(word.range.end..).unwrap_or_default();
+            let element = element(declaration, behind);
+            Some(of_declaration(document, declaration, element.as_deref()))
         }
         WordKind::Keyword => of_word(text, true),
         WordKind::BuiltIn => of_word(text, false),
@@ -51,8 +53,19 @@ pub fn facts_of(model: &Model, declaration: &Declaration) -> Option<Facts> {
         SymbolKind::Force => facts::of_load(model, name, false),
         SymbolKind::Moment => facts::of_load(model, name, true),
         SymbolKind::Index | SymbolKind::Argument | SymbolKind::Function => None,
-        _ => facts::of_value(model, name).or_else(|| facts::of_array(model, name)),
+        _ if declaration.is_array => facts::of_array(model, name),
+        _ => facts::of_value(model, name),
     }
+}
+
+/// Name of the element of an array that is written with these characters behind the name: `v_1_2` of `[1, 2]`.
+fn element(declaration: &Declaration, behind: &str) -> Option<String> {
+    let (indices, _) = behind.trim_start().strip_prefix('[')?.split_once(']')?;
+    let mut name = declaration.name.clone();
+    for index in indices.split(',') {
+        name += &format!("_{}", index.trim().parse::<u32>().ok()?);
+    }
+    declaration.is_array.then_some(name)
 }
 
 fn complete_facts(model: &Model, declaration: &Declaration) -> Option<Facts> {
@@ -65,13 +78,21 @@ fn complete_facts(model: &Model, declaration: &Declaration) -> Option<Facts> {
             | SymbolKind::State
             | SymbolKind::Observation
     );
-    if is_value {
+    if is_value && declaration.is_array {
+        facts::complete_array(model, &declaration.name, &mut facts);
+    } else if is_value {
         facts::complete(model, &declaration.name, &mut facts);
     }
     Some(facts)
 }
 
-fn of_declaration(document: &Document, declaration: &Declaration) -> String {
+fn facts_of_element(model: &Model, name: &str) -> Option<Facts> {
+    let mut facts = facts::of_value(model, name)?;
+    facts::complete(model, name, &mut facts);
+    Some(facts)
+}
+
+fn of_declaration(document: &Document, declaration: &Declaration, element: Option<&str>) -> String {
     let statement = document
         .text
         .get(declaration.statement.clone())
@@ -82,9 +103,10 @@ fn of_declaration(document: &Document, declaration: &Declaration) -> String {
     }
     let mut shown = format!("```hyz\n{}\n```\n", lines.join("\n"));
     let mut line = declaration.kind.noun().to_owned();
-    let facts = document
-        .model()
-        .and_then(|model| complete_facts(model, declaration));
+    let facts = document.model().and_then(|model| {
+        let of_element = element.and_then(|name| facts_of_element(model, name));
+        of_element.or_else(|| complete_facts(model, declaration))
+    });
     let facts = facts.unwrap_or_default();
     match facts.of.as_str() {
         "" => {}

@@ -52,7 +52,7 @@ pub fn hints(document: &Document, range: &Value) -> Value {
 
 /// Number of operations of a quantity or unknown, behind its statement.
 fn cost(document: &Document, model: &Model, own: &Declaration) -> Option<Value> {
-    if !matches!(own.kind, SymbolKind::Quantity | SymbolKind::Unknown) {
+    if own.is_array || !matches!(own.kind, SymbolKind::Quantity | SymbolKind::Unknown) {
         return None;
     }
     let index = model

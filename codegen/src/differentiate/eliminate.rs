@@ -6,6 +6,7 @@
 
 use super::linearized::{LinearizedGraph, Vertex, add_edge};
 use crate::graph::{ExprGraph, Node, NodeId};
+use std::cmp::Reverse;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EliminationOrder {
@@ -35,9 +36,15 @@ impl LinearizedGraph {
         let mut inner: Vec<usize> = (rows.len()..vertices.len())
             .filter(|&v| vertices[v].column.is_none())
             .collect();
-        while let Some(place) = cheapest(&vertices, &inner, order) {
+        let mut marks = vec![false; vertices.len()];
+        let mut costs: Vec<Cost> = (0..vertices.len())
+            .map(|v| cost(&vertices, v, order, &mut marks))
+            .collect();
+        while let Some(place) = (0..inner.len()).min_by_key(|&place| costs[inner[place]]) {
             let v = inner.remove(place);
-            eliminate(graph, &mut vertices, v);
+            for changed in eliminate(graph, &mut vertices, v) {
+                costs[changed] = cost(&vertices, changed, order, &mut marks);
+            }
         }
         let mut jacobian = Jacobian::default();
         for (row, name) in rows.iter().enumerate() {
@@ -58,33 +65,32 @@ impl LinearizedGraph {
     }
 }
 
-fn cheapest(vertices: &[Vertex], inner: &[usize], order: EliminationOrder) -> Option<usize> {
-    (0..inner.len()).min_by_key(|&place| {
-        let v = inner[place];
-        let (up, down) = (vertices[v].up.len(), vertices[v].down.len());
-        let products = (up * down) as i64;
-        let (up, down) = (up as i64, down as i64);
-        let cost = match order {
-            EliminationOrder::FewestProducts => 2 * products - 2 * up - 3 * down,
-            EliminationOrder::FewestEdges => fill(vertices, v) - up - down,
-        };
-        // Ties are broken by fewer products, then by the later vertex, which is nearer to the inputs.
-        (cost, products, std::cmp::Reverse(v))
-    })
-}
+/// Cost of eliminating a vertex. Ties are broken by fewer products, then by the later vertex, which is nearer to the inputs.
+type Cost = (i64, i64, Reverse<usize>);
 
-/// Fill of vertex `v`: number of new edges that eliminating the vertex would create.
-fn fill(vertices: &[Vertex], v: usize) -> i64 {
-    let missing = |user: usize| {
-        let known = &vertices[user].down;
-        let down = vertices[v].down.iter();
-        down.filter(|(to, _)| !known.iter().any(|(have, _)| have == to))
-            .count() as i64
+fn cost(vertices: &[Vertex], v: usize, order: EliminationOrder, marks: &mut [bool]) -> Cost {
+    let (up, down) = (vertices[v].up.len() as i64, vertices[v].down.len() as i64);
+    let products = up * down;
+    let cost = match order {
+        EliminationOrder::FewestProducts => 2 * products - 2 * up - 3 * down,
+        EliminationOrder::FewestEdges => fill(vertices, v, marks) - up - down,
     };
-    vertices[v].up.iter().map(|&user| missing(user)).sum()
+    (cost, products, Reverse(v))
 }
 
-fn eliminate(graph: &mut ExprGraph, vertices: &mut [Vertex], v: usize) {
+/// Fill of vertex `v`: number of new edges that eliminating the vertex would create. `marks` are all false before and after.
+fn fill(vertices: &[Vertex], v: usize, marks: &mut [bool]) -> i64 {
+    let Vertex { up, down, .. } = &vertices[v];
+    down.iter().for_each(|&(to, _)| marks[to] = true);
+    let users = up.iter().map(|&user| &vertices[user].down);
+    let known = users.map(|known| known.iter().filter(|(to, _)| marks[*to]).count());
+    let known: usize = known.sum();
+    down.iter().for_each(|&(to, _)| marks[to] = false);
+    (up.len() * down.len() - known) as i64
+}
+
+/// Eliminates vertex `v`; returns the vertices whose costs may have changed: its neighbours, and what its users depend on.
+fn eliminate(graph: &mut ExprGraph, vertices: &mut [Vertex], v: usize) -> Vec<usize> {
     let up = std::mem::take(&mut vertices[v].up);
     let down = std::mem::take(&mut vertices[v].down);
     for &(to, inner) in &down {
@@ -114,6 +120,12 @@ fn eliminate(graph: &mut ExprGraph, vertices: &mut [Vertex], v: usize) {
     for &(to, _) in &down {
         vertices[to].up.retain(|&user| user != v);
     }
+    let below = up.iter().flat_map(|&user| &vertices[user].down);
+    let below = below.chain(&down).map(|&(to, _)| to);
+    let mut changed: Vec<usize> = below.chain(up.iter().copied()).collect();
+    changed.sort_unstable();
+    changed.dedup();
+    changed
 }
 
 /// Names the partial derivative of an edge `d_A_d_B`, if both vertices have names.

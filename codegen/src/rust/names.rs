@@ -79,6 +79,15 @@ pub(super) fn ident(name: &str) -> Ident {
 
 /// A name as a Rust identifier; `None` if it is a keyword of any edition, or has no form of an identifier.
 pub(super) fn parsed(name: &str) -> Option<Ident> {
+    // No keyword begins with a letter and has a digit or `_`, as most names do.
+    let is_letter = |c: u8| c.is_ascii_alphabetic();
+    let is_other = |c: u8| c.is_ascii_digit() || c == b'_';
+    if name.bytes().next().is_some_and(is_letter)
+        && name.bytes().all(|c| is_letter(c) || is_other(c))
+        && name.bytes().any(is_other)
+    {
+        return Some(Ident::new(name, Span::call_site()));
+    }
     // The parser knows the keywords up to edition 2021.
     if name == "gen" {
         return None;

@@ -33,6 +33,8 @@ struct Order<'a> {
     end: Vec<u32>,
     /// Number of pending uses of each statement's result.
     left: Vec<usize>,
+    /// Decrease in the number of live results if a statement is issued; negative for an increase.
+    freed: Vec<i64>,
     /// Number of live results: those that are computed and still have pending uses.
     live: usize,
 }
@@ -52,8 +54,13 @@ impl<'a> Order<'a> {
             let above = users[k].iter().map(|&user| height[user]).max();
             height[k] = latency(&program.statements[k].op) + above.unwrap_or(0);
         }
+        let freed = |k: usize| {
+            let last = needs[k].iter().filter(|&&need| users[need].len() == 1);
+            last.count() as i64 - i64::from(!users[k].is_empty())
+        };
         Order {
             pairs: sin_cos_pairs(program),
+            freed: (0..n).map(freed).collect(),
             program,
             ready: needs.iter().map(|n| n.is_empty().then_some(0)).collect(),
             waiting: (0..n).filter(|&k| needs[k].is_empty()).collect(),
@@ -92,17 +99,11 @@ impl<'a> Order<'a> {
         let waiting = self.waiting.iter();
         let waiting = waiting.filter_map(|&k| Some((k, self.ready[k]? <= time)));
         if self.live >= LIVE_VALUES_LIMIT {
-            let rank = |k: usize, now| (self.freed(k), now, self.height[k], Reverse(k));
+            let rank = |k: usize, now| (self.freed[k], now, self.height[k], Reverse(k));
             return waiting.max_by_key(|&(k, now)| rank(k, now)).map(|(k, _)| k);
         }
         let can = waiting.filter(|&(_, now)| now).map(|(k, _)| k);
-        can.max_by_key(|&k| (self.height[k], self.freed(k), Reverse(k)))
-    }
-
-    /// Decrease in the number of live results if statement `k` is issued; negative for an increase.
-    fn freed(&self, k: usize) -> i64 {
-        let last = self.needs[k].iter().filter(|&&need| self.left[need] == 1);
-        last.count() as i64 - i64::from(!self.users[k].is_empty())
+        can.max_by_key(|&k| (self.height[k], self.freed[k], Reverse(k)))
     }
 
     /// Statement of the same sine and cosine pair, if it can be issued.
@@ -114,10 +115,17 @@ impl<'a> Order<'a> {
 
     fn start(&mut self, k: usize, time: u32) {
         self.ready[k] = None;
-        self.waiting.retain(|&other| other != k);
+        if let Some(at) = self.waiting.iter().position(|&other| other == k) {
+            self.waiting.swap_remove(at);
+        }
         self.end[k] = time + latency(&self.program.statements[k].op);
         for &need in &self.needs[k] {
             self.left[need] -= 1;
+            if self.left[need] == 1 {
+                self.users[need]
+                    .iter()
+                    .for_each(|&user| self.freed[user] += 1);
+            }
             self.live -= usize::from(self.left[need] == 0);
         }
         self.live += usize::from(!self.users[k].is_empty());

@@ -29,6 +29,8 @@ const MAX_NAME_LENGTH: usize = 28;
 #[derive(Clone, Debug)]
 pub struct Namer {
     taken: BTreeSet<String>,
+    /// For a name that is taken, the least number behind it that may be free.
+    numbers: FastMap<String, usize>,
     given: FastMap<DefId, String>,
     states: Vec<String>,
     parameters: Vec<String>,
@@ -45,6 +47,7 @@ impl Namer {
             .collect();
         Namer {
             taken,
+            numbers: FastMap::default(),
             given: FastMap::default(),
             states: states.to_vec(),
             parameters: parameters.to_vec(),
@@ -113,6 +116,7 @@ impl Namer {
     pub fn rename(&mut self, old: Option<String>, name: &str) -> String {
         if let Some(old) = old {
             self.taken.remove(&old);
+            self.numbers.clear();
         }
         self.unique(name)
     }
@@ -128,12 +132,16 @@ impl Namer {
         } else {
             wanted.to_string()
         };
-        let mut name = wanted.clone();
-        let mut k = 2;
-        while !self.taken.insert(name.clone()) {
-            name = format!("{wanted}_{k}");
-            k += 1;
+        if self.taken.insert(wanted.clone()) {
+            return wanted;
         }
+        let mut number = self.numbers.get(&wanted).copied().unwrap_or(2);
+        let mut name = format!("{wanted}_{number}");
+        while !self.taken.insert(name.clone()) {
+            number += 1;
+            name = format!("{wanted}_{number}");
+        }
+        self.numbers.insert(wanted, number + 1);
         name
     }
 
@@ -141,6 +149,7 @@ impl Namer {
     pub fn constant_name(parameters: &[String], ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         let namer = Namer {
             taken: BTreeSet::new(),
+            numbers: FastMap::default(),
             given: FastMap::default(),
             states: Vec::new(),
             parameters: parameters.to_vec(),

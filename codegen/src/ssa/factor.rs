@@ -18,67 +18,85 @@ pub fn factor(ssa: &mut Ssa) {
     }
 }
 
-fn list(ssa: &Ssa, id: DefId) -> Vec<DefId> {
-    match &ssa.defs[id] {
-        SsaDef::Product(factors) => factors.clone(),
-        _ => vec![id],
+/// Factors of a term in order: those of a product, else the term itself.
+fn list<'a>(ssa: &'a Ssa, id: &'a DefId) -> &'a [DefId] {
+    match &ssa.defs[*id] {
+        SsaDef::Product(factors) => factors,
+        _ => std::slice::from_ref(id),
     }
+}
+
+/// What is extracted from a sum: the indices of terms, and the factors that they have in common.
+type Extraction = (Vec<usize>, Vec<DefId>);
+
+/// The extraction that saves most operations; `None` if none saves any.
+fn best(ssa: &Ssa, id: DefId, terms: &[Signed], uses: &IndexVec<DefId, u32>) -> Option<Extraction> {
+    let lists: Vec<&[DefId]> = terms.iter().map(|(_, term)| list(ssa, term)).collect();
+    let factors = lists.iter().enumerate();
+    let factors = factors.flat_map(|(t, list)| list.iter().map(move |&factor| (factor, t)));
+    let mut places: Vec<(DefId, usize)> = factors.collect();
+    places.sort_unstable();
+    places.dedup();
+    let mut best: Option<(i64, Extraction)> = None;
+    for places in places.chunk_by(|a, b| a.0 == b.0) {
+        // exclude the trivial factor 1
+        if places.len() < 2 || ssa.defs[places[0].0] == SsaDef::Constant(Number::ONE) {
+            continue;
+        }
+        let with: Vec<usize> = places.iter().map(|&(_, t)| t).collect();
+        let common = common(&lists, &with);
+        let saved = saved(ssa, id, terms, &lists, uses, (&with, &common));
+        if saved > 0 && best.as_ref().is_none_or(|(most, _)| saved > *most) {
+            best = Some((saved, (with, common)));
+        }
+    }
+    best.map(|(_, extraction)| extraction)
+}
+
+/// Operations that an extraction saves in each evaluation.
+fn saved(
+    ssa: &Ssa,
+    id: DefId,
+    terms: &[Signed],
+    lists: &[&[DefId]],
+    uses: &IndexVec<DefId, u32>,
+    (with, common): (&[usize], &[DefId]),
+) -> i64 {
+    let moving = |factors: &[DefId]| factors.iter().filter(|&&f| !ssa.facts[f].fixed).count();
+    // operations of a product, of whose factors `moving` are not fixed
+    let operations = |factors: usize, moving: usize| {
+        (moving + usize::from(moving < factors)).saturating_sub(1) as i64
+    };
+    let (common_factors, common_moving) = (common.len(), moving(common));
+    let (mut before, mut inside, mut all_fixed) = (0, 0, true);
+    for &t in with {
+        let (factors, moving) = (lists[t].len(), moving(lists[t]));
+        if uses.get(terms[t].1).is_none_or(|&n| n <= 1) {
+            before += operations(factors, moving);
+        }
+        inside += operations(factors - common_factors, moving - common_moving);
+        all_fixed &= moving == common_moving;
+    }
+    // sums of what is left are computed once per flight if all of it is fixed
+    let additions = if all_fixed { with.len() as i64 - 1 } else { 0 };
+    let outside = operations(
+        common_factors + 1,
+        common_moving + usize::from(!ssa.facts[id].fixed),
+    );
+    before - inside - outside + additions
 }
 
 fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> bool {
     let SsaDef::Sum(terms) = &ssa.defs[id] else {
         return false;
     };
-    let terms = terms.clone();
-    let lists: Vec<Vec<DefId>> = terms.iter().map(|&(_, term)| list(ssa, term)).collect();
-    // exclude the trivial factor 1
-    let mut candidates: Vec<DefId> = lists.iter().flatten().copied().collect();
-    candidates.retain(|&factor| ssa.defs[factor] != SsaDef::Constant(Number::ONE));
-    candidates.sort_unstable();
-    candidates.dedup();
-    let mut best: Option<(i64, Vec<usize>, Vec<DefId>)> = None;
-    for candidate in candidates {
-        let with: Vec<usize> = (0..terms.len())
-            .filter(|&t| lists[t].contains(&candidate))
-            .collect();
-        if with.len() < 2 {
-            continue;
-        }
-        let common = common(&lists, &with);
-        let private = |t: usize| uses.get(terms[t].1).is_none_or(|&n| n <= 1);
-        let runtime = |factors: &[DefId]| {
-            let moving = factors.iter().filter(|&&f| !ssa.facts[f].fixed).count();
-            let fixed = usize::from(moving < factors.len());
-            (moving + fixed).saturating_sub(1) as i64
-        };
-        let before: i64 = with
-            .iter()
-            .filter(|&&t| private(t))
-            .map(|&t| runtime(&lists[t]))
-            .sum();
-        let inside: i64 = with
-            .iter()
-            .map(|&t| runtime(&without(&lists[t], &common)))
-            .sum();
-        let all_fixed = with.iter().all(|&t| {
-            without(&lists[t], &common)
-                .iter()
-                .all(|&f| ssa.facts[f].fixed)
-        });
-        let mut outside = common.clone();
-        outside.push(id);
-        let after = inside + runtime(&outside) - if all_fixed { with.len() as i64 - 1 } else { 0 };
-        let saved = before - after;
-        if saved > 0 && best.as_ref().is_none_or(|(most, ..)| saved > *most) {
-            best = Some((saved, with, common));
-        }
-    }
-    let Some((_, with, common)) = best else {
+    let Some((with, common)) = best(ssa, id, terms, uses) else {
         return false;
     };
+    let terms = terms.clone();
     let mut inner: Vec<Signed> = Vec::new();
     for &t in &with {
-        let rest = without(&lists[t], &common);
+        let rest = without(list(ssa, &terms[t].1), &common);
         let rest = if rest.is_empty() {
             constant(ssa, Number::ONE)
         } else {
@@ -107,7 +125,7 @@ fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> boo
         }
     };
     let mut outside = common;
-    outside.extend(list(ssa, inner));
+    outside.extend(list(ssa, &inner));
     let product = ssa.product(outside);
     rest.push((flip, product));
     replace(ssa, id, rest, uses);
@@ -170,16 +188,16 @@ fn constant(ssa: &mut Ssa, number: Number) -> DefId {
     ssa.define(SsaDef::Constant(number), facts, None)
 }
 
-fn common(lists: &[Vec<DefId>], with: &[usize]) -> Vec<DefId> {
-    let mut common = lists[with[0]].clone();
+/// Factors that some lists, each sorted, have in common.
+fn common(lists: &[&[DefId]], with: &[usize]) -> Vec<DefId> {
+    let mut common = lists[with[0]].to_vec();
     for &t in &with[1..] {
-        let mut left = lists[t].clone();
-        common.retain(|factor| match left.iter().position(|f| f == factor) {
-            Some(at) => {
-                left.remove(at);
-                true
-            }
-            None => false,
+        let mut left = lists[t];
+        common.retain(|factor| {
+            left = &left[left.partition_point(|other| other < factor)..];
+            let is_common = left.first() == Some(factor);
+            left = &left[usize::from(is_common)..];
+            is_common
         });
     }
     common

@@ -327,6 +327,12 @@ fn sort_terms(terms: &mut [Signed]) {
 /// Sorts the terms of a sum with [`sort_terms`], and removes pairs of equal terms with opposite signs.
 fn cancel(terms: &mut Vec<Signed>) {
     sort_terms(terms);
+    if terms
+        .windows(2)
+        .all(|pair| pair[0].1 != pair[1].1 || pair[0].0 == pair[1].0)
+    {
+        return;
+    }
     let mut remaining: Vec<Signed> = Vec::with_capacity(terms.len());
     for &term in terms.iter() {
         match remaining.last() {

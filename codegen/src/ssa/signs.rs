@@ -10,27 +10,25 @@ pub fn settle(ssa: &mut Ssa) {
     absorb_fixed(ssa);
     let mut users = users(ssa);
     let mut improved = true;
+    let (mut touched, mut places) = (Vec::new(), Vec::new());
     while improved {
         improved = false;
         for id in ssa.defs.indices() {
             if !matches!(ssa.defs[id], SsaDef::Sum(_)) || users[id].is_empty() {
                 continue;
             }
-            let mut touched = Vec::new();
+            touched.clear();
             if !turn(ssa, &users, id, &mut touched) {
-                undo(ssa, touched);
+                undo(ssa, &touched);
                 continue;
             }
-            let after: i64 = distinct(&touched)
-                .iter()
-                .map(|&place| price(ssa, place))
-                .sum();
-            let now = touched.clone();
-            undo(ssa, touched);
-            let before: i64 = distinct(&now).iter().map(|&place| price(ssa, place)).sum();
-            if after < before {
-                let mut again = Vec::new();
-                turn(ssa, &users, id, &mut again);
+            places.clone_from(&touched);
+            places.sort_unstable();
+            places.dedup();
+            let after = prices(ssa, &places);
+            undo(ssa, &touched);
+            if after < prices(ssa, &places) {
+                turn(ssa, &users, id, &mut touched);
                 improved = true;
             }
         }
@@ -62,11 +60,13 @@ type Users = IndexVec<DefId, Vec<User>>;
 
 fn users(ssa: &Ssa) -> Users {
     let mut users: Users = ssa.side_table(Vec::new());
+    let mut operands = Vec::new();
     for id in ssa.order() {
-        let mut operands = ssa.defs[id].operands();
+        operands.clear();
+        ssa.defs[id].for_operands(|operand| operands.push(operand));
         operands.sort_unstable();
         operands.dedup();
-        for operand in operands {
+        for &operand in &operands {
             users[operand].push(User::SsaDef(id));
         }
     }
@@ -131,8 +131,8 @@ fn through(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<SignLocati
     pass(ssa, users, id, touched)
 }
 
-fn undo(ssa: &mut Ssa, touched: Vec<SignLocation>) {
-    for place in touched {
+fn undo(ssa: &mut Ssa, touched: &[SignLocation]) {
+    for &place in touched {
         flip(ssa, place);
     }
 }
@@ -167,12 +167,8 @@ fn flip(ssa: &mut Ssa, place: SignLocation) {
     }
 }
 
-/// Returns the sign locations `touched` in sorted order and without duplicates.
-fn distinct(touched: &[SignLocation]) -> Vec<SignLocation> {
-    let mut places: Vec<SignLocation> = touched.to_vec();
-    places.sort_unstable();
-    places.dedup();
-    places
+fn prices(ssa: &Ssa, places: &[SignLocation]) -> i64 {
+    places.iter().map(|&place| price(ssa, place)).sum()
 }
 
 /// Negations, 0 or 1, that the signs at a location require in each evaluation.

@@ -37,7 +37,8 @@ pub struct Tree<'a, T> {
     /// Unknowns of the model's systems, and how well their equations determine them.
     unknowns: Vec<Vec<T>>,
     determinacies: Vec<f64>,
-    tables: Vec<Lookup<'a>>,
+    /// Interpolated tables, each once it is read.
+    tables: Vec<OnceCell<Lookup<'a>>>,
     /// Derivatives of the states of the body by its laws, with loads and without, once they are asked for.
     body_rates: [OnceCell<Vec<T>>; 2],
     /// Number of the infinitesimals that are in use, by derivatives around this evaluation.
@@ -45,6 +46,7 @@ pub struct Tree<'a, T> {
 }
 
 /// Interpolated table of a model.
+#[derive(Clone)]
 enum Lookup<'a> {
     One(Interpolant<'a>),
     Two(Surface<'a>),
@@ -147,7 +149,7 @@ impl<'a, T: Real> Tree<'a, T> {
             aux_variables: Vec::with_capacity(model.aux_variables.len()),
             unknowns,
             determinacies: Vec::new(),
-            tables: model.tables.iter().map(Lookup::new).collect(),
+            tables: vec![OnceCell::new(); model.tables.len()],
             body_rates: [OnceCell::new(), OnceCell::new()],
             level,
         };
@@ -173,6 +175,10 @@ impl<'a, T: Real> Tree<'a, T> {
         tree.evaluate_for(&[of]);
         let part = |value: T::Jet| T::of_jet(value.coefficient(self.level));
         tree.value(of).map(part)
+    }
+
+    fn table(&self, index: usize) -> &Lookup<'a> {
+        self.tables[index].get_or_init(|| Lookup::new(&self.model.tables[index]))
     }
 
     /// Evaluates a scalar expression of the model at the point.
@@ -338,11 +344,11 @@ impl<'a, T: Real> Tree<'a, T> {
                 )
             }
             K::Reexpress(a) => self.value(a),
-            K::Call(Function::Table(index), a) => match &self.tables[*index] {
+            K::Call(Function::Table(index), a) => match self.table(*index) {
                 Lookup::One(curve) => Scalar(self.scalar(a).interpolated(curve, 0)),
                 Lookup::Two(_) => panic!("a table of one argument, by the checker"),
             },
-            K::Lookup(index, a, b) => match &self.tables[*index] {
+            K::Lookup(index, a, b) => match self.table(*index) {
                 Lookup::One(_) => panic!("a table of two arguments, by the checker"),
                 Lookup::Two(surface) => {
                     let (a, b) = (self.scalar(a), self.scalar(b));

@@ -4,7 +4,8 @@ use super::term::Term;
 use super::{Checker, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Shape};
-use crate::unit::Unit;
+use crate::syntax::ast::{self, BinaryOp};
+use crate::unit::{Unit, symbol};
 
 const MAX_LABELS: usize = 8;
 
@@ -150,6 +151,13 @@ impl Checker<'_> {
                         text += &format!(", as follows from `{}`", self.text(at));
                     }
                     fault = fault.label(leaf.span, text);
+                    let items = self.searched().iter();
+                    let is_own = |name: &ast::Name| name.span == leaf.span;
+                    let own = { items }.find(|item| item.kind.declared().is_some_and(is_own));
+                    let values = own.map_or_else(Vec::new, |item| item.kind.roots());
+                    if let Some(note) = values.into_iter().find_map(|value| self.cut_unit(value)) {
+                        fault = fault.note(note);
+                    }
                 }
             }
         }
@@ -170,6 +178,26 @@ impl Checker<'_> {
                 )),
             _ => fault,
         }
+    }
+
+    /// Note at `40 kg*m^2`, where a quantity `m` is declared, that the unit ends before it.
+    fn cut_unit(&self, e: &ast::Expr) -> Option<String> {
+        let mut found = None;
+        if let ast::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div | BinaryOp::Dot, a, b) = &e.kind
+            && let Some(name) = power_of_name(b).filter(|name| symbol::find(name).is_some())
+            && let Some(number) = last_number(a)
+            && let Some(unit) = &number.unit
+        {
+            let (start, from) = (number.span, unit.span);
+            let [whole, first] = [e.span, start].map(|end| self.text(start.to(end)));
+            let [digits, unit] = [(start, number.number.span), (from, e.span)]
+                .map(|(from, to)| self.text(from.to(to)));
+            found = Some(format!(
+                "`{whole}` is `{first}` times the quantity `{name}`: with a unit of several factors write `{digits} [{unit}]`"
+            ));
+        }
+        e.children(&mut |child| found = found.take().or_else(|| self.cut_unit(child)));
+        found
     }
 
     /// Appends to `out` the operands (names and literals) of an expression with their units, without duplicates.
@@ -283,6 +311,26 @@ impl Checker<'_> {
             }
             _ => format!("{text}/{by}"),
         }
+    }
+}
+
+/// The name in `m` or `m^2`.
+fn power_of_name(e: &ast::Expr) -> Option<&str> {
+    match &e.kind {
+        ast::ExprKind::Name(name) => Some(name),
+        ast::ExprKind::Binary(BinaryOp::Pow, base, _) => power_of_name(base),
+        _ => None,
+    }
+}
+
+/// The number with which a product ends.
+fn last_number(e: &ast::Expr) -> Option<&ast::Quantity> {
+    match &e.kind {
+        ast::ExprKind::Number(own) => Some(own),
+        ast::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div | BinaryOp::Dot, _, b) => {
+            last_number(b)
+        }
+        _ => None,
     }
 }
 

@@ -207,9 +207,16 @@ impl<'a> Checker<'a> {
         let fault = match (expected, typed.expr.shape) {
             (Shape::Scalar, Shape::Vector(_)) => {
                 let message = format!("{what} must be a number, but `{text}` is a vector");
-                Diagnostic::new(Kind::Shape, span, message).help(format!(
-                    "take its length `norm({text})`, or one component `….1`"
-                ))
+                let of_result = what.starts_with("the result");
+                Diagnostic::new(Kind::Shape, span, message).help(
+                    match (of_result, typed.expr.shape) {
+                        (true, Shape::Vector(frame)) => format!(
+                            "state what is returned, behind the parameters: `): vector … in {}`",
+                            name(frame)
+                        ),
+                        _ => format!("take its length `norm({text})`, or one component `….1`"),
+                    },
+                )
             }
             (Shape::Vector(_), Shape::Scalar) => {
                 let message = format!("{what} must be a vector, but `{text}` is a number");

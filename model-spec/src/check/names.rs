@@ -173,6 +173,12 @@ impl Checker<'_> {
             fault = fault.suggest(&near);
         } else if name == "t" {
             fault = fault.help("the time since release is `time`; `t` is a unit, the tonne");
+        } else if name == "g" {
+            fault = fault.help("declare the acceleration of gravity: `param g = 9.81 m/s^2;`");
+        } else if let Some(function) = self.function_with(name) {
+            fault = fault.note(format!(
+                "`{name}` is known within the function `{function}` alone"
+            ));
         } else if symbol::find(name).is_some() {
             fault = fault.help(format!(
                 "`{name}` is a unit; to give a number this unit write `5 {name}`, or `5 [m/s]` for one of \
@@ -188,6 +194,20 @@ impl Checker<'_> {
         self.refuse(fault)
     }
 
+    /// A function of the text of which a name is a parameter or a variable.
+    fn function_with(&self, name: &str) -> Option<String> {
+        let mut functions = self.searched().iter().filter_map(|item| match &item.kind {
+            ast::ItemKind::Function(own) => Some(own),
+            _ => None,
+        });
+        let found = functions.find(|own| {
+            let parameters = own.parameters.iter().map(|own| &own.name);
+            let mut names = parameters.chain(own.lets.iter().map(|own| &own.name));
+            names.any(|own| own.text == name)
+        })?;
+        Some(found.name.text.clone())
+    }
+
     /// Array and element as in messages, of a name that stands as an element in the text.
     fn element_in_text(&self, name: &str, span: Span) -> Option<(String, String)> {
         let text = self.text(span);
@@ -198,14 +218,17 @@ impl Checker<'_> {
         Some((array, element))
     }
 
+    /// Statements in which what explains an error is searched: errors that are not shown need no search.
+    pub fn searched(&self) -> &[ast::Item] {
+        match self.diagnostics.len() < MAX_SHOWN {
+            true => &self.file.items,
+            false => &[],
+        }
+    }
+
     /// Elements of an array of the text, in order, as in messages.
     fn elements(&self, array: &str) -> Vec<String> {
-        // Errors that are not shown need no search.
-        let searched = match self.diagnostics.len() < MAX_SHOWN {
-            true => &self.file.items[..],
-            false => &[],
-        };
-        let written = searched.iter().filter_map(super::shown::written);
+        let written = self.searched().iter().filter_map(super::shown::written);
         let is_element =
             |name: &String| name.split('[').next() == Some(array) && name.contains('[');
         written.map(|(_, shown)| shown).filter(is_element).collect()

@@ -2,7 +2,7 @@
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{Expr, ExprKind, Function, Interpolation, Model};
+use crate::model::{Expr, ExprKind, Function, Interpolation, Model, Shape};
 
 /// A subexpression that is not differentiable at some point, with its defined behaviour there.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -368,6 +368,9 @@ impl Checker<'_> {
             fault = fault.label(place, format!("`{what}` is defined here"));
         }
         fault = match &e.kind {
+            ExprKind::Div(a, _) if a.shape != Shape::Scalar => fault.help(format!(
+                "where `v` is zero, `unit(v)` is the zero vector: write it for `v/norm(v)`; or say where the model ends: `limit {what} > 0 \"…\";`"
+            )),
             ExprKind::Div(a, b) => fault.help(format!(
                 "say what holds there: `ratio({}, {}, 0)`, or where the model ends: `limit {what} > 0 \"…\";`",
                 self.text(a.span),

@@ -198,6 +198,24 @@ impl ModelTree {
         checked
     }
 
+    /// The model without the statements that have errors and those that need them; `None` if what is left is no model.
+    pub(crate) fn check_sound(mut self) -> Option<Model> {
+        for _ in 0..MAX_SOUND_ROUNDS {
+            let Checked { model, diagnostics } = check::check(&self.file, &self.sources);
+            if model.is_some() {
+                return model;
+            }
+            let items = &mut Arc::make_mut(&mut self.file).items;
+            let before = items.len();
+            let faults = || diagnostics.iter().filter(|fault| fault.kind != Kind::Unit);
+            items.retain(|item| !faults().any(|fault| item.span.contains(fault.span)));
+            if items.len() == before {
+                return None;
+            }
+        }
+        None
+    }
+
     /// Text of the model with its effects merged and without states for unknowns; `note` ends its documentation.
     pub fn to_text(&self, note: &str) -> String {
         let mut file = File::clone(&self.file);
@@ -253,6 +271,9 @@ pub(crate) fn model_text(name_or_path: &str) -> Result<(String, String), LoadErr
 }
 
 const MAX_CHECKED_OFFERS: usize = 50;
+
+/// Number of checks in search of statements without errors: each finds those that need what the last one has left out.
+const MAX_SOUND_ROUNDS: usize = 10;
 
 /// Errors of the effects of a file, each applied alone to a copy of the model.
 fn offer_faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {

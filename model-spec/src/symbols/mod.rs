@@ -91,6 +91,8 @@ pub struct Declaration {
     pub name: String,
     /// What the name stands for.
     pub kind: SymbolKind,
+    /// Whether it names an array: `v[i]`. A scalar may have the same name.
+    pub is_array: bool,
     /// Byte range of the name.
     pub range: Range<usize>,
     /// Byte range of the statement, with its block.

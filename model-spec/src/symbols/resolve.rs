@@ -45,7 +45,10 @@ pub(super) fn resolve(scanned: Scanned<'_>) -> Symbols {
                 Some(other) => word(WordKind::Reference(other)),
                 None => word(WordKind::Declaration(index)),
             },
-            Found::Name(namespace) => names.name(&text[range.clone()], range, namespace),
+            Found::Name(namespace) => {
+                let is_indexed = text[range.end..].trim_start().starts_with('[');
+                names.name(&text[range.clone()], range, namespace, is_indexed)
+            }
         });
     }
     resolved.sort_by_key(|word| word.range.start);
@@ -100,11 +103,11 @@ impl Names<'_> {
         })
     }
 
-    /// The innermost declaration of a name that is known at an offset.
-    fn find(&self, name: &str, at: usize, namespace: Namespace) -> Option<usize> {
+    /// The innermost declaration of a name that is known at an offset; of an array and a scalar there the one that is meant.
+    fn find(&self, name: &str, at: usize, namespace: Namespace, is_indexed: bool) -> Option<usize> {
         if namespace == Namespace::FrameOrValue {
-            let frame = self.find(name, at, Namespace::Frame);
-            return frame.or_else(|| self.find(name, at, Namespace::Value));
+            let frame = self.find(name, at, Namespace::Frame, false);
+            return frame.or_else(|| self.find(name, at, Namespace::Value, is_indexed));
         }
         let all = self.by_name.get(name)?;
         // In order of the scopes' starts, those of the whole text first.
@@ -117,15 +120,17 @@ impl Names<'_> {
             let own = &self.declarations[own];
             own.namespace == namespace && at < own.scope.end
         });
-        let scope = |own: usize| self.declarations[own].scope.len();
-        let innermost = known.min_by_key(|&own| scope(own))?;
+        let innermost = known.min_by_key(|&own| {
+            let own = &self.declarations[own];
+            (own.scope.len(), own.is_array != is_indexed)
+        })?;
         Some(self.stronger(innermost).unwrap_or(innermost))
     }
 
-    fn name(&self, raw: &str, range: Range<usize>, namespace: Namespace) -> Word {
+    fn name(&self, raw: &str, range: Range<usize>, namespace: Namespace, is_indexed: bool) -> Word {
         let name = plain(raw);
         let at = range.start;
-        if let Some(own) = self.find(&name, at, namespace) {
+        if let Some(own) = self.find(&name, at, namespace, is_indexed) {
             return Word {
                 range,
                 kind: WordKind::Reference(own),
@@ -167,15 +172,15 @@ impl Names<'_> {
         stems.find_map(|length| {
             let (stem, rest) = raw.split_at(length);
             let rest = plain(rest);
-            let own = self.find(&plain(stem), at, Namespace::Value)?;
+            let is_digit = |c: char| c == '_' || c.is_ascii_digit();
+            let is_element = rest.starts_with('_') && rest.len() > 1 && rest.chars().all(is_digit);
+            let own = self.find(&plain(stem), at, Namespace::Value, is_element)?;
             let declaration = &self.declarations[own];
             let is_derived = match declaration.kind {
                 SymbolKind::Input => matches!(&*rest, "_x" | "_y" | "_z"),
                 SymbolKind::State => rest == "dot",
                 _ => false,
             };
-            let is_digit = |c: char| c == '_' || c.is_ascii_digit();
-            let is_element = rest.starts_with('_') && rest.len() > 1 && rest.chars().all(is_digit);
             (is_derived || is_element).then_some((length, own))
         })
     }

@@ -230,6 +230,7 @@ impl<'a> Scanner<'a> {
         self.scanned.declarations.push(Declaration {
             name: plain(self.text(at)),
             kind,
+            is_array: self.text(at + 1) == "[",
             statement: range.clone(),
             range,
             scope,

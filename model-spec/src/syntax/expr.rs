@@ -207,7 +207,14 @@ impl Parser<'_> {
         self.advance();
         let second = self.tree(0)?;
         if self.peek() == Token::Sign(")") {
-            return self.expected("`,` and the third component of a vector");
+            let [first, second] = [&first, &second].map(|part| self.slice(part.expr.span));
+            let vector = || {
+                format!(
+                    "a vector has three components: `({first}, {second}, 0)`, or `({first}, 0, {second})`"
+                )
+            };
+            let help = super::spelling::element_help(first, second).unwrap_or_else(vector);
+            return self.expected_help("`,` and the third component of a vector", Some(help));
         }
         self.need(Token::Sign(","), "`,` between the components of a vector")?;
         let third = self.tree(0)?;

@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter, Write};
 use super::ast::{
     Array, Expr, Function, FunctionParameter, Index, ItemKind, Let, Name, Number, Type,
 };
-use super::parser::{Parser, Read};
+use super::parser::{Parser, Read, Reported};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
@@ -47,6 +47,11 @@ impl Parser<'_> {
         };
         self.need(Token::Sign(")"), "`,` or `)` after a parameter")?;
         let result = self.type_behind_colon()?;
+        if self.peek() == Token::Sign("-") && self.peek_at(1) == Token::Sign(">") {
+            let help = "the type of the result stands behind a colon: `function f(a: m): N { … }`";
+            return self.expected_help("`:` or `{` after the parameters", Some(help.to_owned()));
+        }
+        let earlier = self.reports();
         let parts = self.braces(&format!("`function {}`", name.text), Self::function_part)?;
         let mut lets = Vec::new();
         let mut returned: Option<(Expr, Span)> = None;
@@ -59,6 +64,9 @@ impl Parser<'_> {
             }
         }
         let Some((value, _)) = returned else {
+            if self.reports() > earlier {
+                return Err(Reported);
+            }
             let message = format!("the function `{}` returns nothing", name.text);
             let fault = Diagnostic::new(Kind::Missing, name.span, message);
             return self.refuse(fault.help("end its block with `return …;`"));
@@ -195,9 +203,16 @@ impl Parser<'_> {
     }
 
     fn index_value(&mut self, what: &str) -> Read<u32> {
-        if self.peek() == Token::Name {
-            let help =
-                "how many elements there are does not change with parameters: write a number";
+        let help = match self.peek() {
+            Token::Name => {
+                "how many elements there are does not change with parameters: write a number"
+            }
+            Token::Sign("-") => {
+                "indices count up from 0 or 1, as in `k in 1..2`; a side that is 1 or -1 is `3 - 2*k`"
+            }
+            _ => "",
+        };
+        if !help.is_empty() {
             return self.expected_help(what, Some(help.to_owned()));
         }
         let digits = self.digits(what)?;

@@ -7,6 +7,7 @@ use super::token::Token;
 use super::words;
 use crate::diagnostic::{self, Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
+use crate::unit::symbol;
 
 /// Maximum nesting depth of an expression, which bounds the recursion of the parser.
 const MAX_DEPTH: u32 = 64;
@@ -220,6 +221,11 @@ impl<'a> Parser<'a> {
     }
 
     /// Whether the next token is one that the lexer has already reported as an error.
+    /// Number of errors so far.
+    pub fn reports(&self) -> usize {
+        self.lexed.diagnostics.len()
+    }
+
     pub fn reported_by_lexer(&self) -> bool {
         matches!(self.peek(), Token::Bad | Token::OpenText)
     }
@@ -324,17 +330,29 @@ impl<'a> Parser<'a> {
             );
         }
         let help = match self.peek() {
+            Token::Name
+                if self.slice(self.behind()) == ")" && symbol::find(self.raw()).is_some() =>
+            {
+                let unit = self.raw();
+                Some(format!(
+                    "a product is written with `*` or `·`, and a unit stands behind a number: `*(1 {unit})`"
+                ))
+            }
             Token::Name if self.raw() == "for" => Some(
                 "`for …` stands before the `=`, as in `let r[i] for i in 1..8 = …;`".to_owned(),
             ),
             Token::Name | Token::Number | Token::Sign("(") => {
                 Some("a product is written with `*` or `·`".to_owned())
             }
-            Token::Sign(",") if self.peek_at(1) == Token::Number => Some(format!(
-                "decimals have a point: `{}.{}`",
-                self.slice(self.behind()),
-                self.raw_at(1)
-            )),
+            Token::Sign(",") if self.peek_at(1) == Token::Number => {
+                let (before, behind) = (self.slice(self.behind()), self.raw_at(1));
+                let is_number = before.starts_with(|c: char| c.is_ascii_digit());
+                let decimals = || format!("decimals have a point: `{before}.{behind}`");
+                spelling::element_help(before, behind).or_else(|| is_number.then(decimals))
+            }
+            Token::Sign(",") if self.peek_at(1) == Token::Name => {
+                Some("each is declared by a statement of its own".to_owned())
+            }
             Token::Sign("**") => Some("a power is written `^`".to_owned()),
             Token::Sign(">" | "<") => {
                 Some("`step(a - b)` is 1 where a > b, else 0; or use `max`, `min`".to_owned())

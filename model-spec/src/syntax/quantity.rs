@@ -2,6 +2,7 @@
 
 use super::ast::{Number, Quantity, UnitExpr, UnitFactor};
 use super::parser::{Parser, Read};
+use super::spelling;
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::unit::symbol;
@@ -41,11 +42,15 @@ impl Parser<'_> {
             let is_infinite = ["inf", "infinity", "nan"]
                 .iter()
                 .any(|word| self.raw().eq_ignore_ascii_case(word));
-            let help = match is_infinite {
-                true => "every number is finite",
-                false => "a quantity that is computed is named with `let`",
+            let help = match (is_infinite, &*spelling::plain(self.raw())) {
+                (true, _) => "every number is finite".to_owned(),
+                (_, "pi") => format!(
+                    "a quantity that is computed is named with `let`; `pi` is {}",
+                    std::f64::consts::PI
+                ),
+                _ => "a quantity that is computed is named with `let`".to_owned(),
             };
-            return self.expected_help(what, Some(help.to_owned()));
+            return self.expected_help(what, Some(help));
         }
         let digits = self.digits(what)?;
         let text = if negative {

@@ -36,6 +36,18 @@ fn greek(c: char) -> Option<String> {
     }
 }
 
+/// How the element of an array is written for which papers write `name,index` with an index in `name`: `s[1, 8]` for
+/// `s_1,8`; `None` if that is not meant.
+pub(super) fn element_help(name: &str, index: &str) -> Option<String> {
+    let (array, first) = name.rsplit_once('_')?;
+    let is_index = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
+    let is_name = array.chars().all(|c| c == '_' || c.is_alphanumeric());
+    let is_meant = is_name && !array.is_empty() && is_index(first) && is_index(index);
+    is_meant.then(|| {
+        format!("an element of an array is written with brackets: `{array}[{first}, {index}]`")
+    })
+}
+
 /// ASCII spelling of a name: `φ̇` becomes `phidot`, `ρ` becomes `rho`.
 pub fn plain(raw: &str) -> String {
     if raw.is_ascii() {
@@ -82,7 +94,7 @@ pub fn joined(raw: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{joined, plain};
+    use super::{element_help, joined, plain};
 
     #[test]
     fn elements_have_the_names_of_tables_and_reports() {
@@ -94,6 +106,21 @@ mod tests {
             ("C_D0", "C_D0"),
         ] {
             assert_eq!(joined(written), name);
+        }
+    }
+
+    #[test]
+    fn elements_as_papers_write_them_have_brackets() {
+        let help = element_help("s_1", "8").unwrap();
+        assert!(help.ends_with("`s[1, 8]`"), "{help}");
+        for (name, index) in [
+            ("s1", "8"),
+            ("s_a", "8"),
+            ("s_1", "8.5"),
+            ("2*s_1", "8"),
+            ("1", "8"),
+        ] {
+            assert_eq!(element_help(name, index), None, "{name},{index}");
         }
     }
 

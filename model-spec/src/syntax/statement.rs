@@ -18,7 +18,10 @@ impl Parser<'_> {
         let doc = self.doc();
         let start = self.here();
         if self.peek() != Token::Name {
-            return self.expected("a statement");
+            let help =
+                "equations that are not solved for one derivative stand in a block `solve { … }`";
+            let is_equation = matches!(self.peek(), Token::Sign("(" | "-") | Token::Number);
+            return self.expected_help("a statement", is_equation.then(|| help.to_owned()));
         }
         let word = self.raw();
         let kind = match word {

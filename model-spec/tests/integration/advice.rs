@@ -34,6 +34,63 @@ fn an_index_in_the_brackets_is_led_to_the_form_of_arrays() {
 }
 
 #[test]
+fn what_papers_write_is_led_to_the_notation() {
+    is_told(&[
+        (
+            "let s[k, i] for k in 1..2, i in 1..8 = k*i; let a = s_1,8;",
+            &["`s[1, 8]`"],
+        ),
+        (
+            "let s[k, i] for k in 1..2, i in 1..8 = k*i; let a = (s_1,8);",
+            &["`s[1, 8]`"],
+        ),
+        ("let a = 1,5;", &["decimals have a point: `1.5`"]),
+        ("let a = 2*(u, w);", &["three components: `(u, w, 0)`"]),
+        ("coefficient c = pi;", &["`pi` is 3.14159"]),
+        ("coefficient a = 0.2, b = 0.3;", &["a statement of its own"]),
+        (
+            "state a = 1; (1 + m/(1 kg))*der(a) = 1/(1 s);",
+            &["a block `solve { … }`"],
+        ),
+        (
+            "function f(a) -> vector N in N { return N.1; }",
+            &["behind a colon"],
+        ),
+        ("function f(a) { return a*N.1; }", &["`): vector … in N`"]),
+        (
+            "function f(a) { let place = a; return place; } let b = place;",
+            &["within the function `f` alone"],
+        ),
+        ("force weight = -m*g*N.3;", &["`param g = 9.81 m/s^2;`"]),
+        ("let drag = velocity/norm(velocity);", &["`unit(v)`"]),
+        (
+            "param length = max(1, 2) m;",
+            &["a unit stands behind a number: `*(1 m)`"],
+        ),
+        (
+            "param I = 2*0.5*40 kg*m^2; let a = I + 1 [kg*m^2];",
+            &[
+                "`40 kg*m^2` is `40 kg` times the quantity `m`",
+                "`40 [kg*m^2]`",
+            ],
+        ),
+        (
+            "let a[k] for k in -1..1 = k;",
+            &["`k in 1..2`", "`3 - 2*k`"],
+        ),
+    ]);
+}
+
+#[test]
+fn a_function_with_an_error_is_not_said_to_return_nothing() {
+    let told = refused("function f(a) { return a }");
+    assert!(
+        told.contains("`;` at the end of this `return`") && !told.contains("nothing"),
+        "{told}"
+    );
+}
+
+#[test]
 fn a_marker_has_no_place_and_stands_for_all() {
     is_told(&[
         (

@@ -1,6 +1,6 @@
 //! Common-subexpression elimination in products, by greedy extraction of pairs.
 
-use super::{Score, merge_equal};
+use super::{Replaced, Score, merge_equal, pairs_of};
 use crate::ssa::{DefId, Ssa, SsaDef};
 
 type Pair = (DefId, DefId);
@@ -13,7 +13,7 @@ pub fn share(ssa: &mut Ssa) {
     });
 }
 
-fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Vec<DefId> {
+fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Replaced {
     users.retain(|&id| count(factors(ssa, id), pair) > 0);
     let shared = ssa.product(vec![pair.0, pair.1]);
     users.retain(|&id| id != shared);
@@ -31,7 +31,7 @@ fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Vec<DefId> {
         }
         list.sort_unstable();
     }
-    users
+    (shared, users)
 }
 
 fn factors(ssa: &Ssa, id: DefId) -> &[DefId] {
@@ -41,13 +41,8 @@ fn factors(ssa: &Ssa, id: DefId) -> &[DefId] {
     }
 }
 
-fn pairs(ssa: &Ssa, id: DefId) -> Vec<Pair> {
-    let list = factors(ssa, id).iter().enumerate();
-    let pairs = list.flat_map(|(k, &a)| {
-        let rest = &factors(ssa, id)[k + 1..];
-        rest.iter().map(move |&b| (a, b))
-    });
-    pairs.collect()
+fn pairs(ssa: &Ssa, id: DefId, with: Option<DefId>) -> Vec<Pair> {
+    pairs_of(factors(ssa, id), with, |factor| factor).collect()
 }
 
 /// Number of disjoint occurrences of a pair in a list of factors.

@@ -1,6 +1,6 @@
 //! Common-subexpression elimination in sums: common pairs of terms are computed once, up to sign.
 
-use super::{Score, merge_equal};
+use super::{Replaced, Score, merge_equal, pairs_of};
 use crate::ssa::{DefId, Signed, Ssa, SsaDef, sort_terms};
 
 /// Two terms that occur in one sum, and whether their signs differ.
@@ -15,7 +15,7 @@ pub fn share(ssa: &mut Ssa) {
     });
 }
 
-fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Vec<DefId> {
+fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Replaced {
     // share an existing sum equal to the pair
     let mut all = users.iter().copied();
     let whole = all.find(|&id| terms(ssa, id).len() == 2 && sign(terms(ssa, id), pair).is_some());
@@ -36,7 +36,7 @@ fn replace(ssa: &mut Ssa, pair: Pair, mut users: Vec<DefId>) -> Vec<DefId> {
             sort_terms(list);
         }
     }
-    users
+    (shared, users)
 }
 
 fn terms(ssa: &Ssa, id: DefId) -> &[Signed] {
@@ -46,21 +46,23 @@ fn terms(ssa: &Ssa, id: DefId) -> &[Signed] {
     }
 }
 
-fn pairs(ssa: &Ssa, id: DefId) -> Vec<Pair> {
-    let list = terms(ssa, id).iter().enumerate();
-    let pairs = list.flat_map(|(k, &(minus, a))| {
-        let rest = &terms(ssa, id)[k + 1..];
-        rest.iter().map(move |&(other, b)| (a, b, minus != other))
-    });
-    pairs.collect()
+fn pairs(ssa: &Ssa, id: DefId, with: Option<DefId>) -> Vec<Pair> {
+    let pairs = pairs_of(terms(ssa, id), with, |(_, term)| term);
+    pairs
+        .map(|((minus, a), (other, b))| (a, b, minus != other))
+        .collect()
 }
 
 /// Sign of the first term of a pair in a sum (`true` is minus); `None` if the sum does not contain the pair.
 fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
+    // terms are sorted by definition
     let once = |wanted| {
-        let mut found = list.iter().filter(|&&(_, id)| id == wanted);
-        let first = found.next()?.0;
-        found.next().is_none().then_some(first)
+        let mut found = list[list.partition_point(|&(_, id)| id < wanted)..].iter();
+        let first = found.next().filter(|&&(_, id)| id == wanted)?.0;
+        found
+            .next()
+            .is_none_or(|&(_, id)| id != wanted)
+            .then_some(first)
     };
     let (first, second) = (once(pair.0)?, once(pair.1)?);
     (pair.0 != pair.1 && (first != second) == pair.2).then_some(first)
@@ -68,12 +70,12 @@ fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
 
 /// Additions saved by a shared pair: occurrences less 1, or of a fixed pair those in longer sums.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
-    let holds = |id: DefId| sign(terms(ssa, id), pair).is_some();
-    let places = users.iter().filter(|&&id| holds(id)).count();
-    let whole = users
-        .iter()
-        .filter(|&&id| terms(ssa, id).len() == 2 && holds(id))
-        .count();
+    let lists = users.iter().map(|&id| terms(ssa, id));
+    let (mut places, mut whole) = (0, 0);
+    for list in lists.filter(|list| sign(list, pair).is_some()) {
+        places += 1;
+        whole += usize::from(list.len() == 2);
+    }
     let fixed = ssa.facts[pair.0].fixed && ssa.facts[pair.1].fixed;
     let saved = if fixed {
         places - whole

@@ -29,3 +29,4 @@ mod tables;
 mod ties;
 mod user_models;
 mod written_out;
+mod written_out_rust;

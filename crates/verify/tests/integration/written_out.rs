@@ -17,13 +17,13 @@ use verify::sample;
 
 /// Greatest distance of two results, in units in the last place of the largest result of the function: sums have no fixed
 /// order, so that terms which cancel leave more of a small result.
-const MAX_ULP: f64 = 4.0;
+pub const MAX_ULP: f64 = 4.0;
 
 /// Functions whose results are compared: f with its Jacobians, which contain all others of the motion.
-const FUNCTIONS: [&str; 3] = ["f", "f_jac", "f_jac_par"];
+pub const FUNCTIONS: [&str; 3] = ["f", "f_jac", "f_jac_par"];
 
 /// Points at which the results are compared.
-const POINTS: usize = 5;
+pub const POINTS: usize = 5;
 
 /// A random expression of pure numbers.
 enum Tree {
@@ -118,9 +118,9 @@ impl Tree {
 }
 
 /// Two texts of a model: with functions, arrays and sums, and written out.
-struct Texts {
-    short: String,
-    by_hand: String,
+pub struct Texts {
+    pub short: String,
+    pub by_hand: String,
 }
 
 impl Texts {
@@ -129,7 +129,7 @@ impl Texts {
         self.by_hand += line;
     }
 
-    fn drawn(random: &mut Random) -> Self {
+    pub fn drawn(random: &mut Random) -> Self {
         let mut texts = Texts {
             short: String::new(),
             by_hand: String::new(),
@@ -146,6 +146,11 @@ impl Texts {
             texts.add_system(random, &functions, unknowns);
         }
         texts
+    }
+
+    /// The texts, if they are short enough to be compared.
+    pub fn compared(self) -> Option<Self> {
+        (self.by_hand.len() <= MAX_HAND).then_some(self)
     }
 
     fn add_functions(&mut self, random: &mut Random) -> Vec<Drawn> {
@@ -221,18 +226,33 @@ const HEAD: &str = "model drawn;\nparam m = 1 kg;\nparam k = 0.7;\nframe N;\n\
 /// Length of a text by hand, bytes, beyond which the model may have too many operations.
 const MAX_HAND: usize = 10_000;
 
-fn loaded(text: &str) -> (Model, Compiled) {
+pub fn loaded(text: &str) -> (Model, Compiled) {
     let model = from_text("drawn", text, &[]).unwrap_or_else(|error| panic!("{text}\n{error}"));
     let compiled = compile(&model);
     (model, compiled)
 }
 
+/// Greatest distance of two lists of results, in units in the last place of the largest, and where it is.
+pub fn farthest(a: &[f64], b: &[f64]) -> (f64, usize) {
+    let largest = a.iter().fold(1e-12, |size: f64, own| size.max(own.abs()));
+    let apart = a
+        .iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).abs() / (largest * f64::EPSILON));
+    // What is no number is farthest.
+    let apart = apart.map(|apart| if apart.is_nan() { f64::INFINITY } else { apart });
+    let places = apart.zip(0..);
+    places.fold(
+        (0.0, 0),
+        |most, own| if own.0 > most.0 { own } else { most },
+    )
+}
+
 /// Requires the same of the two texts; whether they are short enough to be compared.
 fn is_same(random: &mut Random) -> bool {
-    let Texts { short, by_hand } = Texts::drawn(random);
-    if by_hand.len() > MAX_HAND {
+    let Some(Texts { short, by_hand }) = Texts::drawn(random).compared() else {
         return false;
-    }
+    };
     let [(model, compiled), (other, other_compiled)] = [&short, &by_hand].map(|text| loaded(text));
     let both = format!("{short}\n{by_hand}");
 
@@ -246,17 +266,12 @@ fn is_same(random: &mut Random) -> bool {
                 let own_results = results_of(&compiled, own_results, name);
                 let others = results_of(&other_compiled, others, name);
                 assert_eq!(own_results.len(), others.len(), "{name}\n{both}");
-                let largest = own_results
-                    .iter()
-                    .fold(1e-12, |size: f64, own| size.max(own.abs()));
-                for (k, (a, b)) in own_results.iter().zip(others).enumerate() {
-                    let apart = (a - b).abs() / (largest * f64::EPSILON);
-                    assert!(
-                        apart <= MAX_ULP,
-                        "{}, {name}[{k}]: {a} and {b}, {apart} ulp\n{both}",
-                        own.backend
-                    );
-                }
+                let (apart, k) = farthest(own_results, others);
+                assert!(
+                    apart <= MAX_ULP,
+                    "{}, {name}[{k}]: {own_results:?} and {others:?}, {apart} ulp\n{both}",
+                    own.backend
+                );
             }
         }
     }
