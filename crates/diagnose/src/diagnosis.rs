@@ -12,7 +12,7 @@ use model_spec::model::Model;
 use analysis::Analysis;
 
 use crate::base_fit::BaseFit;
-use crate::context::{Context, DiagnosisOptions, of_stated_inputs};
+use crate::context::{Context, DiagnosisOptions, of_missing_poses, of_stated_inputs};
 use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::report::{self, Consensus, Report, Verdict, Verified};
@@ -65,6 +65,7 @@ pub fn diagnose_with<R: Send>(
     let resolved = identify::resolve(model, dataset, &options.fit)?;
     let (model, dataset) = (&resolved.model, &*resolved.dataset);
     let mut without = of_stated_inputs(model, dataset);
+    without.extend(of_missing_poses(dataset));
     without.extend_from_slice(options.without);
     let options = &DiagnosisOptions {
         fit: resolved.options(&options.fit),

@@ -10,13 +10,17 @@ use crate::problem::FitProblem;
 /// Components of the input `marker_is`, by which effects refer to single markers: component k is 1 for marker k.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
+/// Component of the input `pose_is` by which effects refer to the attitudes of poses: it is 1 for them.
+const ATTITUDE_IS: &str = "pose_is_x";
+
 /// Unit vectors along the axes of the body, as points in body components.
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Compiled models with the parameter values of one flight, for the measurement equations of all channels.
 pub struct ChannelConditions<'a> {
     problem: &'a FitProblem,
-    /// One model for all points of the body; with the input `marker_is`, one per marker and a last one for other points.
+    /// One model per marker, one for other points of the body, and one for attitudes; or one for all, if no effect refers to
+    /// one of them.
     points: Vec<BoundModel<'a>>,
     instruments: Vec<BoundModel<'a>>,
 }
@@ -25,23 +29,37 @@ impl<'a> ChannelConditions<'a> {
     /// Binds the models to the parameters of a flight, in the order of the compiled model's parameter vector.
     pub fn new(problem: &'a FitProblem, parameters: &FlightParameters) -> Self {
         let layout = problem.body.layout();
-        let places = MARKER_IS.map(|name| layout.parameter(name).map(ParamId::index));
-        let bound = |marker: Option<usize>| {
+        let place = |name: &str| layout.parameter(name).map(ParamId::index);
+        let (of_markers, of_attitudes) = (MARKER_IS.map(place), place(ATTITUDE_IS));
+        let bound = |seen: Option<ChannelKind>| {
             let mut parameters = parameters.clone();
-            for (axis, place) in places.iter().enumerate() {
+            for (axis, place) in of_markers.iter().enumerate() {
                 if let Some(place) = *place {
-                    parameters.constants[place] = f64::from(u8::from(Some(axis) == marker));
+                    let is_seen = seen == Some(ChannelKind::Marker(axis));
+                    parameters.constants[place] = f64::from(u8::from(is_seen));
                 }
+            }
+            if let Some(place) = of_attitudes {
+                let is_seen = seen == Some(ChannelKind::Attitude);
+                parameters.constants[place] = f64::from(u8::from(is_seen));
             }
             problem.body.bind(parameters)
         };
         let markers = problem.channels.iter().filter(|own| own.is_marker());
-        let is_any = places.iter().any(Option::is_some);
-        let markers = (0..markers.count()).filter(|_| is_any).map(Some);
+        let each = (0..markers.count()).map(|marker| Some(ChannelKind::Marker(marker)));
+        let each = each.chain([None, Some(ChannelKind::Attitude)]);
+        let is_any = of_markers
+            .iter()
+            .chain([&of_attitudes])
+            .any(Option::is_some);
+        let points = match is_any {
+            true => each.map(bound).collect(),
+            false => vec![bound(None)],
+        };
         let instruments = problem.instruments.iter();
         Self {
             problem,
-            points: markers.chain([None]).map(bound).collect(),
+            points,
             instruments: instruments
                 .map(|(_, own)| own.bind(parameters.clone()))
                 .collect(),
@@ -78,9 +96,10 @@ impl<'a> ChannelObservers<'a> {
         match kind {
             ChannelKind::Instrument(index) => &mut self.instruments[index],
             ChannelKind::Marker(marker) => &mut self.points[marker.min(last)],
+            ChannelKind::Attitude => &mut self.points[last],
             // Summaries are no measurements at a time, and are evaluated by themselves.
-            ChannelKind::Position | ChannelKind::Attitude | ChannelKind::Summary(_) => {
-                &mut self.points[last]
+            ChannelKind::Position | ChannelKind::Summary(_) => {
+                &mut self.points[last.saturating_sub(1)]
             }
         }
     }

@@ -137,6 +137,13 @@ impl EffectTree {
         added.any(|item| matches!(item.kind, ItemKind::State(_)))
     }
 
+    /// Whether the effect is about the attitudes of poses: by the input `pose_is`, whose first component is 1 for them.
+    #[doc(hidden)]
+    pub fn is_about_poses(&self) -> bool {
+        let mut added = self.tree.added();
+        added.any(|item| matches!(&item.kind, ItemKind::Input(own) if own.name.text == "pose_is"))
+    }
+
     /// Instruments whose measured quantities the effect needs.
     pub(crate) fn instruments(&self) -> Vec<Instrument> {
         let is_needed = |instrument: &Instrument| {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use dataset::Dataset;
+use dataset::{Dataset, Sensor, SensorKind};
 use model_spec::LoadError;
 use model_spec::compose::{EffectTree, ModelTree, known_effects};
 use model_spec::index::IndexVec;
@@ -88,6 +88,15 @@ pub(crate) fn of_stated_inputs(model: &Model, dataset: &Dataset) -> Vec<String> 
         effect.has_states() && effect.needs().any(|need| is_stated(&need.name.text))
     });
     stand_in.map(|effect| effect.name().to_owned()).collect()
+}
+
+/// Effects on the attitudes of poses, of which the dataset has none.
+pub(crate) fn of_missing_poses(dataset: &Dataset) -> Vec<String> {
+    let is_pose = |sensor: &Sensor| sensor.kind == SensorKind::Pose;
+    let has_poses = dataset.sensors.iter().any(is_pose);
+    let effects = EffectTree::built_in().iter().filter(|_| !has_poses);
+    let on_poses = effects.filter(|effect| effect.is_about_poses());
+    on_poses.map(|effect| effect.name().to_owned()).collect()
 }
 
 fn is_input(model: &Model, name: &str) -> bool {

@@ -14,7 +14,8 @@ pub(crate) use columns::{CandidateId, ColumnId, Partition, TermId, select, selec
 use dataset::Dataset;
 pub use encompassing::identifier;
 pub(crate) use encompassing::{
-    Candidate, CandidateParameter, EncompassingModel, display_name, of_stated_inputs,
+    Candidate, CandidateParameter, EncompassingModel, display_name, of_missing_poses,
+    of_stated_inputs,
 };
 pub(crate) use library_terms::LibraryTerms;
 pub(crate) use linearize::{LinearizationPoint, TrajectoryCache};

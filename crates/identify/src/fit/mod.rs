@@ -118,7 +118,10 @@ fn fit_after(
     options.validate()?;
     parallel::within(options.threads(), || {
         let found = fit_within(model, dataset, options, earlier);
-        let faults = trial::other_unit(model, dataset, options, &found)?;
+        let mut faults = trial::other_unit(model, dataset, options, &found)?;
+        if faults.is_empty() {
+            faults = trial::frames_of_poses(model, dataset, options, &found)?;
+        }
         if !faults.is_empty() {
             return Err(FitError::FaultyData(faults));
         }
@@ -154,6 +157,9 @@ fn fit_within(
         data_faults.retain(|fault| fault.fault != FaultKind::Axes);
     }
     trial::remove_refuted(model, dataset, options, &mut data_faults)?;
+    if data_faults.is_empty() {
+        data_faults = trial::mirrored(model, dataset, &problem, options)?;
+    }
     let faulty = screening::excluded(dataset, &data_faults, options);
     let is_faulty = |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);
     fitted.retain(|flight| !is_faulty(flight));

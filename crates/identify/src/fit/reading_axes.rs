@@ -1,5 +1,5 @@
-//! Axes of instruments beside positions, compared with the motion of the fit: readings with exchanged axes follow it only
-//! where they are exchanged back.
+//! Axes and times of instruments beside positions, compared with the motion of the fit: readings with exchanged axes follow
+//! it only where they are exchanged back, and delayed ones where they are shifted back.
 
 use model_spec::compose::Instrument;
 use nalgebra::Vector3;
@@ -9,12 +9,16 @@ use super::state::State;
 use crate::channel::ChannelKind;
 use crate::levels::{NEAR_NOISE, SIGNIFICANT};
 use crate::screening::SignedAxes;
+use dataset::statistics::median_of;
 
-/// Predicted and measured readings of one flight, less their means: instruments have offsets.
-type Readings = Vec<[Vector3<f64>; 2]>;
+/// Predicted and measured readings of one flight, less their means, as instruments have offsets, and the time between them, s.
+type Readings = (Vec<[Vector3<f64>; 2]>, f64);
 
-/// Sentences on instruments whose readings follow the motion of the fit clearly better along other axes; none without
-/// positions, where the fit turns the body as the readings ask.
+/// Greatest number of readings by which they are shifted.
+const SHIFTED: usize = 12;
+
+/// Sentences on instruments whose readings follow the motion of the fit clearly better along other axes or at other times;
+/// none without positions, where the fit turns the body as the readings ask.
 pub fn exchanged(state: &State<'_>, cache: &ResidualCache) -> Vec<String> {
     let problem = state.problem;
     if !problem.sees_positions() {
@@ -30,7 +34,20 @@ pub fn exchanged(state: &State<'_>, cache: &ResidualCache) -> Vec<String> {
             Instrument::Accelerometer => "accelerometer_axes",
             Instrument::Speed => return None,
         };
-        let axes = better_axes(&readings(state, cache, channel))?;
+        let flights = readings(state, cache, channel);
+        let axes = better_axes(&flights);
+        // A delay turns what rotates with the body, too.
+        if let Some((delay, left)) = delay(&flights)
+            && axes.is_none_or(|(_, other)| left < other)
+        {
+            return Some(format!(
+                "{} follows the motion of the body only if it is about {:.3} s {}: correct its times",
+                own.name,
+                delay.abs(),
+                if delay > 0.0 { "late" } else { "early" },
+            ));
+        }
+        let (axes, _) = axes?;
         Some(format!(
             "{} follows the motion of the body only with the axes {axes} for x, y, z: state `{key} = {}` in [recording], or turn the readings",
             own.name,
@@ -47,9 +64,10 @@ fn readings(state: &State<'_>, cache: &ResidualCache, channel: usize) -> Vec<Rea
         let samples = path.residuals[channel].iter().enumerate();
         let pairs = samples.filter_map(|(sample, residual)| {
             let measured = Vector3::from(flight.inlier(sample, channel)?);
-            Some([measured + Vector3::from((*residual)?) / scale, measured])
+            let predicted = measured + Vector3::from((*residual)?) / scale;
+            Some((flight.times[sample], [predicted, measured]))
         });
-        let mut pairs: Readings = pairs.collect();
+        let (times, mut pairs): (Vec<f64>, Vec<[Vector3<f64>; 2]>) = pairs.unzip();
         let sums = pairs
             .iter()
             .fold([Vector3::zeros(); 2], |[a, b], [c, d]| [a + c, b + d]);
@@ -57,7 +75,8 @@ fn readings(state: &State<'_>, cache: &ResidualCache, channel: usize) -> Vec<Rea
         for pair in &mut pairs {
             *pair = [pair[0] - means[0], pair[1] - means[1]];
         }
-        Some(pairs)
+        let intervals = times.windows(2).map(|pair| pair[1] - pair[0]);
+        Some((pairs, median_of(intervals)?))
     };
     state
         .flights
@@ -67,13 +86,15 @@ fn readings(state: &State<'_>, cache: &ResidualCache, channel: usize) -> Vec<Rea
         .collect()
 }
 
-/// Axes with which the readings are clearly nearer to the prediction, along the axes that they change.
-fn better_axes(flights: &[Readings]) -> Option<SignedAxes> {
+/// Axes with which the readings are clearly nearer to the prediction, along the axes that they change, and the mean square
+/// that they leave.
+fn better_axes(flights: &[Readings]) -> Option<(SignedAxes, f64)> {
     let [own, others @ ..] = &SignedAxes::all()[..] else {
         return None;
     };
     let squares = |axes: &SignedAxes| {
-        let each = flights.iter().flatten().map(|[predicted, measured]| {
+        let each = flights.iter().flat_map(|own| &own.0);
+        let each = each.map(|[predicted, measured]| {
             let off = axes.turned(*measured) - predicted;
             off.component_mul(&off)
         });
@@ -84,9 +105,35 @@ fn better_axes(flights: &[Readings]) -> Option<SignedAxes> {
     let (axes, found) = better.min_by(|(_, a), (_, b)| a.sum().total_cmp(&b.sum()))?;
     let changed = (0..3).filter(|axis| axes.along(*axis) != own.along(*axis));
     let sum = |squares: &Vector3<f64>| changed.clone().map(|axis| squares[axis]).sum::<f64>();
-    let ratio = sum(&as_they_are) / sum(&found);
-    let count = flights.iter().map(Vec::len).sum::<usize>() * changed.clone().count();
-    // Twice the gain of the log-likelihood of noise of unknown size.
-    let gain = count as f64 * ratio.ln();
-    (ratio > NEAR_NOISE * NEAR_NOISE && gain > SIGNIFICANT * SIGNIFICANT).then_some(*axes)
+    let count = flights.iter().map(|own| own.0.len()).sum::<usize>();
+    let of_changed = count * changed.clone().count();
+    is_clear(sum(&as_they_are) / sum(&found), of_changed)
+        .then_some((*axes, found.sum() / count as f64))
+}
+
+/// Delay of the readings, s, with which they are clearly nearer to the prediction, and the mean square that it leaves.
+fn delay(flights: &[Readings]) -> Option<(f64, f64)> {
+    let mean_square = |shift: isize| {
+        let [late, early] = [shift.max(0), (-shift).max(0)].map(isize::unsigned_abs);
+        let pairs = flights.iter().flat_map(|(pairs, _)| {
+            let measured = pairs.iter().skip(late).map(|pair| pair[1]);
+            let predicted = pairs.iter().skip(early).map(|pair| pair[0]);
+            measured.zip(predicted)
+        });
+        let squares = pairs.map(|(measured, predicted)| (measured - predicted).norm_squared());
+        let (count, sum) = squares.fold((0, 0.0), |(count, sum), own| (count + 1, sum + own));
+        (sum / count as f64, count)
+    };
+    let furthest = SHIFTED as isize;
+    let shifts = (-furthest..=furthest).filter(|shift| *shift != 0);
+    let shifts = shifts.map(|shift| (shift, mean_square(shift)));
+    let (shift, (left, count)) = shifts.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    let interval = median_of(flights.iter().map(|own| own.1))?;
+    is_clear(mean_square(0).0 / left, 3 * count).then_some((shift as f64 * interval, left))
+}
+
+/// Whether a ratio of sums of squares is clearly above that of noise of unknown size: by twice the gain of the
+/// log-likelihood of this number of values.
+fn is_clear(ratio: f64, count: usize) -> bool {
+    ratio > NEAR_NOISE * NEAR_NOISE && count as f64 * ratio.ln() > SIGNIFICANT * SIGNIFICANT
 }

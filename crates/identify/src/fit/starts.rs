@@ -15,6 +15,7 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
+use crate::levels::ROUGHLY_NOISE;
 use crate::observations::Observations;
 
 /// Least relative difference of initial states, or of their angular velocities, of different fits: a turn per interval is
@@ -29,6 +30,10 @@ const STARTS: usize = 2;
 
 /// Maximum number of times that all flights are fitted again after single flights moved to better initial states.
 const EXCHANGES: usize = 3;
+
+/// Number of fits, the best ones, of which single flights are tried from other guesses: where neither confirms the other, the
+/// model or the readings are wrong rather than the initial states.
+const EXCHANGED: usize = 3;
 
 /// Number of flights with which the minimum is searched where several instruments observe each; the others start there
 /// at their best initial states. Flights of one instrument determine the minimum only all together.
@@ -151,14 +156,14 @@ fn best_minimum<'a>(
     let deviances = deviances(&arrivals.fits);
     let mut order: Vec<usize> = (0..deviances.len()).collect();
     order.sort_by(|&a, &b| by_deviance(&deviances[a], &deviances[b]));
-    for place in order {
+    for place in order.into_iter().take(EXCHANGED) {
         if least_deviance(&arrivals.fits).1 > 1 {
             break;
         }
         let (state, cache) = &mut arrivals.fits[place];
         exchange_initial_states(state, cache, guesses)?;
         // No initial states make up for wrong readings or a wrong model.
-        if state.problem.is_misfit(cache.median_scale()) {
+        if cache.median_scale() > ROUGHLY_NOISE * state.problem.sigma0 {
             break;
         }
     }

@@ -1,18 +1,31 @@
 //! Trial fits: of data whose faults may be loads of the model, of readings in another unit, and of values that the user
 //! holds.
 
+use model_spec::compose::ModelTree;
 use model_spec::model::Model;
 
 use super::{Fit, FitError, fit_within};
 use crate::error::{DataFault, FaultKind};
+use crate::levels::SIGNIFICANT;
 use crate::numbers::Digits;
 use crate::options::FitOptions;
-use crate::report::{LACK_OF_FIT_LEVEL, LackOfFit, MAX_PRIOR_CONFLICT};
-use crate::screening::OtherUnit;
+use crate::problem::FitProblem;
+use crate::report::{Coefficient, LACK_OF_FIT_LEVEL, LackOfFit, MAX_PRIOR_CONFLICT};
+use crate::screening::{self, OtherMeaning, Poses};
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight, Role};
 
 const FLIGHTS: usize = 4;
+
+/// Effect of attitudes in a turned frame, and its coefficients.
+const ATTITUDE_TURNED: &str = "attitude_turned";
+const TURNS: [&str; 3] = ["turned_1", "turned_2", "turned_3"];
+
+/// Least turn of attitudes, degrees, that is a fault of the data: fits find smaller ones as an effect.
+const FAR_TURN: f64 = 45.0;
+
+/// Greatest turn, degrees, beside quarters of a turn, which are more usual than negated coordinates, and these than others.
+const NEARLY: f64 = 5.0;
 
 /// Acceleration that corresponds to the residuals, m/s², below which the data are as the model says; wrong axes, units
 /// or times leave about that of gravity.
@@ -71,8 +84,46 @@ fn tried(
     }
 }
 
+/// The fit if it is reliable, also by the tests of its residuals.
+fn reliable(fit: Fit, options: &FitOptions<'_>) -> Option<Fit> {
+    let tested = fit.with_lack_of_fit(options.threads()).ok();
+    tested.filter(|fit| fit.report.reliable)
+}
+
+/// Fit of a few flights with readings of another meaning.
+fn tried_with(
+    other: &OtherMeaning,
+    model: &Model,
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+) -> Result<Option<Fit>, FitError> {
+    let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
+    let converted = to_fit.map(|flight| other.converted(flight.clone()));
+    tried(model, dataset, converted, options)
+}
+
+/// Faults of a gyroscope whose axes are those of a mirror image, if it may be so and the flights then fit in every respect.
+pub fn mirrored(
+    model: &Model,
+    dataset: &Dataset,
+    problem: &FitProblem,
+    options: &FitOptions<'_>,
+) -> Result<Vec<DataFault>, FitError> {
+    if options.trust_data || options.known_faults.is_some() {
+        return Ok(Vec::new());
+    }
+    for other in screening::mirrored(problem, dataset) {
+        let found = tried_with(&other, model, dataset, options)?;
+        if found.is_some_and(|fit| reliable(fit, options).is_some()) {
+            let why = "only so does the angular momentum turn slowly, and the flights fit";
+            return Ok(other.faults(dataset, why, false));
+        }
+    }
+    Ok(Vec::new())
+}
+
 /// Faults of readings whose unit they do not tell by themselves: as they are, the flights have no fit or one that is not
-/// to the noise, and in the other unit they fit to the noise.
+/// to the noise, and in the other unit they fit in every respect.
 pub fn other_unit(
     model: &Model,
     dataset: &Dataset,
@@ -82,7 +133,7 @@ pub fn other_unit(
     if options.trust_data || options.known_faults.is_some() {
         return Ok(Vec::new());
     }
-    let units = OtherUnit::undetermined(dataset);
+    let units = screening::undetermined(dataset);
     let fails = |fit: &Fit| lacks_fit(fit, options);
     let may_be_wrong = match as_they_are {
         Err(FitError::Interrupted | FitError::FaultyData(_)) => false,
@@ -91,19 +142,76 @@ pub fn other_unit(
         Ok(fit) => !units.is_empty() && fails(fit).is_some_and(|(_, is_far)| is_far),
     };
     for unit in units.into_iter().filter(|_| may_be_wrong) {
-        let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
-        let converted = to_fit.map(|flight| unit.converted(flight.clone()));
-        let found = tried(model, dataset, converted, options)?;
-        let found = found.filter(|fit| unit.is_followed(dataset, &fit.report.sensors));
-        if found
-            .and_then(|fit| fails(&fit))
-            .is_some_and(|(fails, _)| !fails)
-        {
+        let found = tried_with(&unit, model, dataset, options)?;
+        let found = found.and_then(|fit| reliable(fit, options));
+        if found.is_some_and(|fit| unit.is_followed(dataset, &fit.report.sensors)) {
             let why = "the flights fit to the noise in this unit, and not as they are";
-            return Ok(unit.faults(dataset, why));
+            return Ok(unit.faults(dataset, why, true));
         }
     }
     Ok(Vec::new())
+}
+
+/// Faults of poses whose positions and attitudes are in different frames: as they are, the fit is far from the noise, and
+/// with attitudes turned far about the third axis, or with one coordinate negated, the flights fit in every respect, which of
+/// several is the most usual. Smaller turns are those of an effect.
+pub fn frames_of_poses(
+    model: &Model,
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+    as_they_are: &Result<Fit, FitError>,
+) -> Result<Vec<DataFault>, FitError> {
+    let is_far = |fit: &&Fit| lacks_fit(fit, options).is_some_and(|(_, is_far)| is_far);
+    let may_be_wrong = options.known_faults.is_none() && !options.trust_data;
+    let found = as_they_are.as_ref().ok().filter(|_| may_be_wrong);
+    let found = Poses::of(dataset).zip(found);
+    let Some((pose, stated)) = found.filter(|(_, fit)| is_far(fit)) else {
+        return Ok(Vec::new());
+    };
+    let problem = &stated.problem;
+    let to_fit = || dataset.flights.iter().filter(|f| f.role == Role::Fit);
+    let own = ModelTree::of(model);
+    let turned = own.find_effect(ATTITUDE_TURNED);
+    let Ok(turned) = turned.and_then(|effect| own.with(&effect)?.check()) else {
+        return Ok(Vec::new());
+    };
+    let mut other = None;
+    for degrees in [90.0, -90.0, 180.0] {
+        if !pose.are_better(problem, |flight| pose.turned(flight, degrees)) {
+            continue;
+        }
+        let to_fit = to_fit().map(|flight| pose.turned(flight, degrees));
+        let found = tried(&turned, dataset, to_fit, options)?;
+        let found = found.and_then(|fit| reliable(fit, options));
+        let Some(left) = found.as_ref().and_then(turn_about_third) else {
+            continue;
+        };
+        if left.abs() < NEARLY {
+            return Ok(pose.faults_of_turn(left - degrees));
+        }
+        other = Some(left - degrees).filter(|by| by.abs() > FAR_TURN);
+        break;
+    }
+    for axis in [1, 2, 0] {
+        if !pose.are_better(problem, |flight| pose.negated(flight, axis)) {
+            continue;
+        }
+        let negated = to_fit().map(|flight| pose.negated(flight, axis));
+        let found = tried(model, dataset, negated, options)?;
+        if found.is_some_and(|fit| reliable(fit, options).is_some()) {
+            return Ok(pose.faults_of_sign(axis));
+        }
+    }
+    Ok(other.map_or_else(Vec::new, |by| pose.faults_of_turn(by)))
+}
+
+/// Turn of the attitudes that a fit has found, degrees; `None` if it is about another than the third axis.
+fn turn_about_third(fit: &Fit) -> Option<f64> {
+    let [one, two, third] = TURNS.map(|name| fit.report.coefficients.get(name));
+    let vanishes = |own: &Coefficient| own.value.abs() < SIGNIFICANT * own.std_error;
+    let is_upright = [one?, two?].into_iter().all(vanishes);
+    // The effect counts twice the tangent of half the angle.
+    is_upright.then_some((2.0 * (0.5 * third?.value).atan()).to_degrees())
 }
 
 /// Whether the residuals of a fit are not noise, and whether they are far from it; `None` if they are too few to tell.

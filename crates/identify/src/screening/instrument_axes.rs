@@ -6,14 +6,18 @@ use nalgebra::Vector3;
 use super::meaning::Meaning;
 use super::momentum::is_clearly_better;
 use super::motion::{Comparison, comparisons};
+use super::other_meaning::OtherMeaning;
 use super::readings::series;
 use super::track::Track;
-use super::units::{Centripetal, OtherUnit, gyroscope};
 use crate::error::FaultKind;
+use dataset::statistics::median_of;
 use dataset::{Dataset, Sensor};
 
 /// Ratio of the misfit to the least one up to which an interpretation of the readings is as good.
 const AS_GOOD: f64 = 1.2;
+
+/// Greatest delay of readings that is compared, in intervals between them.
+const LATE: i32 = 12;
 
 /// Kind, message and correction of readings that follow the motion of the body only with another meaning.
 pub fn check(
@@ -21,10 +25,10 @@ pub fn check(
     (sensor, channel, instrument): (&Sensor, usize, Instrument),
     (tracks, gravity): (&[Option<Track>], Option<Vector3<f64>>),
 ) -> Option<(FaultKind, (String, String))> {
-    let flights = || dataset.flights.iter().zip(tracks);
-    let compared: Vec<Comparison> = flights()
-        .filter_map(|(flight, track)| {
-            let readings = series(flight, channel);
+    let compared = |delay: f64| -> Vec<Comparison> {
+        let flights = dataset.flights.iter().zip(tracks);
+        let each = flights.filter_map(|(flight, track)| {
+            let readings = series(flight, channel).map(|(time, own)| (time - delay, own));
             Some(comparisons(
                 track.as_ref()?,
                 readings,
@@ -32,65 +36,42 @@ pub fn check(
                 instrument,
                 gravity,
             ))
-        })
-        .flatten()
-        .collect();
-    let size: f64 = compared.iter().map(|own| own.expected.norm_squared()).sum();
-    let misfit = |meaning: &Meaning| {
+        });
+        each.flatten().collect()
+    };
+    let misfit = |compared: &[Comparison], meaning: &Meaning| {
+        let size: f64 = compared.iter().map(|own| own.expected.norm_squared()).sum();
         let unit = meaning.unit.value(instrument);
         let squares = compared.iter().map(|own| own.misfit(meaning, unit));
         squares.sum::<f64>() / size
     };
-    // Without attitudes a gyroscope does not tell: aerodynamic moments turn the angular momentum as wrong axes do.
-    if size == 0.0 {
-        return beside_gyroscope(dataset, (sensor, channel, instrument));
-    }
-    let (meaning, is_alone) = clearly_best(Meaning::all(instrument), misfit)?;
-    let why = "only so do the readings follow the motion of the body";
-    Some(fault(
-        (sensor, channel, instrument),
-        &meaning,
-        is_alone,
-        why,
-    ))
-}
-
-/// The same of an accelerometer, compared with the centripetal acceleration that a gyroscope shows at its place.
-fn beside_gyroscope(
-    dataset: &Dataset,
-    own: (&Sensor, usize, Instrument),
-) -> Option<(FaultKind, (String, String))> {
-    let (sensor, channel, instrument) = own;
-    if instrument != Instrument::Accelerometer || sensor.position_is_unknown {
+    let as_they_are = compared(0.0);
+    if as_they_are.is_empty() {
         return None;
     }
-    let channels = [channel, gyroscope(dataset)?.1];
-    let place = Vector3::from(sensor.position);
-    let flights = dataset.flights.iter();
-    let found = flights.filter_map(|flight| Centripetal::of(flight, channels, place));
-    let found: Vec<Centripetal> = found.collect();
-    let size: f64 = found.iter().map(|own| own.read.norm_squared()).sum();
-    let misfit = |meaning: &Meaning| {
-        let off = |own: &Centripetal| own.across(meaning.axes.turned(own.read)) - own.expected;
-        let squares = found.iter().map(|own| off(own).norm_squared());
-        squares.sum::<f64>() / size
-    };
-    let of_axes = Meaning::all(instrument).into_iter();
-    let of_axes: Vec<Meaning> = of_axes
-        .filter(|meaning| meaning.changes() == meaning.axes.changes())
-        .collect();
-    // An instrument that is turned is more usual than one whose axes are those of a mirror.
-    let turned = of_axes.clone().into_iter();
-    let turned = turned.filter(|meaning| meaning.axes.is_right_handed());
-    let found = clearly_best(turned.collect(), misfit);
-    let (meaning, _) = found.or_else(|| clearly_best(of_axes, misfit))?;
-    let why = "only so, or at another place, do the readings show the centripetal acceleration that the measured rates give";
-    // The sign along the spin is not compared.
-    let (kind, (detail, correction)) = fault(own, &meaning, false, why);
-    let correction = format!(
-        "{correction}, or correct its position; turn the gyroscope, too, if both are one instrument"
-    );
-    Some((kind, (detail, correction)))
+    let meanings = Meaning::all(instrument);
+    let stated = meanings[0];
+    let (meaning, is_alone) = clearly_best(meanings, |own| misfit(&as_they_are, own))?;
+    // A delay turns what rotates with the body, as other axes do: the fit tells it.
+    let left = misfit(&as_they_are, &meaning);
+    let is_late = |delay: f64| misfit(&compared(delay), &stated) < left;
+    if !meaning.axes.is_identity() && delays(dataset, channel).any(is_late) {
+        return None;
+    }
+    let why = "only so do the readings follow the motion of the body";
+    let meaning = OtherMeaning::new(&[(sensor, channel, instrument)], meaning);
+    Some(meaning.fault(why, is_alone))
+}
+
+/// Times, s, by which readings may be late or, negative, early.
+fn delays(dataset: &Dataset, channel: usize) -> impl Iterator<Item = f64> {
+    let intervals = dataset.flights.iter().filter_map(|flight| {
+        let mut times = series(flight, channel).map(|(time, _)| time);
+        let (first, second) = (times.next()?, times.next()?);
+        Some(second - first)
+    });
+    let interval = median_of(intervals).unwrap_or_default();
+    (1..=LATE).flat_map(move |k| [k, -k].map(|k| f64::from(k) * interval))
 }
 
 /// The simplest of the best meanings, and whether no other is as good, if it is clearly better than the first.
@@ -108,52 +89,4 @@ fn clearly_best(
     let mut good = good.map(|(meaning, _)| meaning);
     let best = good.next()?;
     Some((*best, good.next().is_none()))
-}
-
-fn fault(
-    (sensor, channel, instrument): (&Sensor, usize, Instrument),
-    meaning: &Meaning,
-    is_alone: bool,
-    why: &str,
-) -> (FaultKind, (String, String)) {
-    let name = &sensor.name;
-    if !meaning.axes.is_identity() {
-        let key = match instrument {
-            Instrument::Accelerometer => "accelerometer_axes",
-            _ => "gyroscope_axes",
-        };
-        let example = if is_alone { "" } else { ", for example" };
-        let axes = meaning.axes;
-        return (
-            FaultKind::AttitudeConvention,
-            (
-                format!(
-                    "{name} seems to have other axes than the body{example} {axes} for x, y, z: {why}"
-                ),
-                format!(
-                    "state `{key} = {}` in [recording], or turn the readings",
-                    axes.toml()
-                ),
-            ),
-        );
-    }
-    if meaning.in_room {
-        return (
-            FaultKind::AttitudeConvention,
-            (
-                format!("{name} seems to be along the axes of the room: {why}"),
-                "write the readings along the axes of the body".to_owned(),
-            ),
-        );
-    }
-    if meaning.without_gravity {
-        return (
-            FaultKind::Other,
-            (
-                format!("{name} seems to read accelerations, without gravity: {why}"),
-                "write specific forces: at rest an accelerometer reads 9.8 m/s² upwards".to_owned(),
-            ),
-        );
-    }
-    OtherUnit::new((sensor, channel, instrument), meaning.unit).fault(why)
 }

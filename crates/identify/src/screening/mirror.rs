@@ -187,6 +187,27 @@ fn usual_side(problem: &FitProblem) -> Option<f64> {
     (side.abs() > UPRIGHT).then_some(side)
 }
 
+/// Whether the model describes flights far better as changed, by their accelerations.
+pub fn is_described_better(
+    problem: &FitProblem,
+    dataset: &Dataset,
+    change: impl Fn(&Flight) -> Flight,
+) -> bool {
+    let misfit = |change: &dyn Fn(&Flight) -> Flight| {
+        let flights = dataset.flights.iter().take(COMPARED.0).map(change);
+        let each = flights.filter_map(|flight| {
+            let observations = Observations::new(problem, &flight).ok()?;
+            let (track, _) = Track::until_contact(problem, &flight);
+            Some(misfits(problem, &observations, &track))
+        });
+        median_of(each.flatten())
+    };
+    let (stated, changed) = (misfit(&Flight::clone), misfit(&change));
+    stated
+        .zip(changed)
+        .is_some_and(|(stated, changed)| changed < MISFIT * stated)
+}
+
 /// Differences between measured and modelled accelerations, m/s², in evenly spaced windows.
 fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> Vec<f64> {
     let windows = track.windows();

@@ -3,6 +3,7 @@
 
 mod copies;
 mod distances;
+mod free_axes;
 mod free_fall;
 mod handling;
 mod instrument_axes;
@@ -11,8 +12,10 @@ mod meaning;
 pub(crate) mod mirror;
 mod momentum;
 mod motion;
+mod other_meaning;
 mod path_speed;
 mod pose_axes;
+mod pose_frames;
 mod readings;
 mod records;
 mod sensors;
@@ -25,10 +28,13 @@ mod units;
 
 use flight::parallel;
 
+pub(crate) use self::free_axes::mirrored;
 use self::free_fall::FreeFall;
+pub(crate) use self::other_meaning::OtherMeaning;
+pub(crate) use self::pose_frames::Poses;
 pub(crate) use self::signed_axes::SignedAxes;
 use self::track::Track;
-pub(crate) use self::units::OtherUnit;
+pub(crate) use self::units::undetermined;
 use crate::error::{DataFault, ExcludedFlight, FaultKind, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;

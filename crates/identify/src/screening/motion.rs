@@ -32,7 +32,7 @@ impl Comparison {
                 each.sum()
             }
         };
-        let missing = if meaning.without_gravity { 1.0 } else { 0.0 };
+        let missing = f64::from(meaning.gravity_missing);
         (unit * read - self.expected - missing * self.gravity).norm_squared()
     }
 }

@@ -4,17 +4,17 @@
 use flight::throw::ThrownModel;
 use nalgebra::Matrix3;
 
-use super::momentum::{is_clearly_better, unsteadiness};
+use super::momentum::{is_clearly_better, momenta, unsteadiness};
 use super::readings::{of_flights, sensors, series};
 use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
 use dataset::{Dataset, Reading, SensorKind, attitude};
 
 /// Least ratio of a flat body's third moment of inertia to the others: it is thrown spinning about the third axis.
-const FLAT: f64 = 1.2;
+pub const FLAT: f64 = 1.2;
 
 /// Inertia tensor of the body in body axes, kg m²; `None` for a point mass, or if the model says nothing about it.
-fn inertia(problem: &FitProblem) -> Option<Matrix3<f64>> {
+pub fn inertia(problem: &FitProblem) -> Option<Matrix3<f64>> {
     let body = ThrownModel::new(&problem.model).ok()?;
     let layout = problem.body.layout();
     let state = layout.default_states();
@@ -76,7 +76,8 @@ impl Attitudes<'_> {
         let poses = |flight| {
             series(flight, self.channel).map(move |(time, own)| (time, attitude(read(own))))
         };
-        unsteadiness(self.dataset.flights.iter().map(poses), self.inertia)
+        let flights = self.dataset.flights.iter();
+        unsteadiness(flights.map(|flight| momenta(poses(flight), self.inertia)))
     }
 
     /// Axis about which the body spins.

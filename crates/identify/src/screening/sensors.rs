@@ -1,11 +1,13 @@
 //! Faults of the readings of gyroscopes, accelerometers, speeds and poses: saturated and repeated ones, and those of
 //! other units, axes and conventions.
 
+use super::meaning::Meaning;
+use super::other_meaning::OtherMeaning;
 use super::readings::{of_flights, sensors, series};
 use super::records::{self, Repeated};
 use super::track::Track;
-use super::units::{OtherUnit, unit, why};
-use super::{instrument_axes, loads};
+use super::units::{unit, why};
+use super::{free_axes, instrument_axes, loads};
 use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
 use dataset::{Dataset, Flight, Sensor, SensorKind};
@@ -32,7 +34,8 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
                 let own = (sensor, channel, instrument);
                 let unit = unit(dataset, instrument, (sensor, channel));
                 let unit = unit.filter(|unit| unit.index > 0);
-                let unit = unit.map(|unit| OtherUnit::new(own, unit).fault(why(instrument)));
+                let unit = unit.map(|unit| OtherMeaning::new(&[own], Meaning::of_unit(unit)));
+                let unit = unit.map(|other| other.fault(why(instrument), true));
                 unit.or_else(|| instrument_axes::check(dataset, own, (tracks, gravity)))
             }
         };
@@ -41,6 +44,9 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
                 .into_iter()
                 .flat_map(|found| of_flights(dataset, channel, found)),
         );
+    }
+    if faults.is_empty() {
+        faults = free_axes::check(problem, dataset, gravity.is_some());
     }
     faults
 }

@@ -8,7 +8,39 @@ use nalgebra::Vector3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SignedAxes([(usize, f64); 3]);
 
+impl Default for SignedAxes {
+    /// The axes of the body.
+    fn default() -> Self {
+        Self([0, 1, 2].map(|axis| (axis, 1.0)))
+    }
+}
+
 impl SignedAxes {
+    /// All three in the opposite sense.
+    pub const OPPOSITE: Self = Self([(0, -1.0), (1, -1.0), (2, -1.0)]);
+
+    /// The other axes than this one exchanged.
+    pub fn exchanged(axis: usize) -> Self {
+        let mut own = Self::default();
+        own.0.swap((axis + 1) % 3, (axis + 2) % 3);
+        own
+    }
+
+    /// All others than those of the body, right-handed ones first, as an instrument is turned rather than that its axes are
+    /// those of a mirror, and simple ones before others: rather all signs are opposite than one.
+    pub fn simple() -> Vec<Self> {
+        let mut all = Self::all();
+        all.remove(0);
+        all.sort_by_key(|own| {
+            (
+                !own.is_right_handed(),
+                own.changes(),
+                *own != Self::OPPOSITE,
+            )
+        });
+        all
+    }
+
     /// All 48, those of the body first.
     pub fn all() -> Vec<Self> {
         const ORDERS: [[usize; 3]; 6] = [

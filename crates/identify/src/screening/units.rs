@@ -4,10 +4,9 @@
 use model_spec::compose::Instrument;
 use nalgebra::Vector3;
 
-use super::readings::{of_flights, sensors, series};
-use crate::error::{DataFault, FaultKind};
-use crate::levels::CLEARLY_SMALLER;
-use crate::report::SensorReport;
+use super::meaning::Meaning;
+use super::other_meaning::{OtherMeaning, root_mean_square};
+use super::readings::{sensors, series};
 use dataset::statistics::median_of;
 use dataset::{ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, SPEEDS, Sensor, SensorKind};
 
@@ -25,11 +24,16 @@ const MIN_TURNING: f64 = 0.4;
 const MIN_TURNED: f64 = 20.0;
 const MIN_CENTRIPETAL: f64 = 10.0;
 
-/// Root mean squares of the readings of bodies in flight, rad/s or m/s²: a unit by which they are outside is not tried.
-const IN_FLIGHT: [f64; 2] = [0.3, 3000.0];
+/// Root mean squares of the readings of bodies in flight: a unit by which they are outside is not tried.
+fn in_flight(instrument: Instrument) -> std::ops::Range<f64> {
+    match instrument {
+        Instrument::Gyroscope => 0.3..3000.0,
+        Instrument::Accelerometer | Instrument::Speed => 1.0..500.0,
+    }
+}
 
 /// Units in which an instrument may record; the first is that of a dataset.
-fn units(instrument: Instrument) -> &'static [(&'static str, f64)] {
+pub fn units(instrument: Instrument) -> &'static [(&'static str, f64)] {
     match instrument {
         Instrument::Gyroscope => &ANGULAR_RATES,
         Instrument::Accelerometer => &ACCELERATIONS,
@@ -50,10 +54,10 @@ pub fn why(instrument: Instrument) -> &'static str {
 
 /// A unit of the readings that a fit is given: one of [`units`], or what one of these is if the values are SI, but were
 /// converted from it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct UnitOfReadings {
     pub index: usize,
-    is_converted_twice: bool,
+    pub is_converted_twice: bool,
 }
 
 impl UnitOfReadings {
@@ -115,112 +119,32 @@ pub fn unit(
     (nearest.1 < limit).then_some(nearest.0)
 }
 
-/// Another unit than the stated one in which an instrument may have recorded.
-pub struct OtherUnit {
-    sensor: String,
-    channel: usize,
-    instrument: Instrument,
-    unit: UnitOfReadings,
-}
-
-impl OtherUnit {
-    pub fn new(
-        (sensor, channel, instrument): (&Sensor, usize, Instrument),
-        unit: UnitOfReadings,
-    ) -> Self {
-        Self {
-            sensor: sensor.name.clone(),
-            channel,
-            instrument,
-            unit,
+/// The other units of the instruments whose unit the mechanics of the body do not determine.
+pub fn undetermined(dataset: &Dataset) -> Vec<OtherMeaning> {
+    let mut found = Vec::new();
+    for (sensor, channel) in sensors(dataset) {
+        // A speed alone determines too little for a trial.
+        if let SensorKind::Instrument(instrument) = sensor.kind
+            && instrument != Instrument::Speed
+            && unit(dataset, instrument, (sensor, channel)).is_none()
+        {
+            let flights = dataset.flights.iter();
+            let usual = median_of(flights.filter_map(|own| root_mean_square(own, channel)));
+            let is_in_flight = |unit: &UnitOfReadings| {
+                let converted = usual.map(|usual| usual * unit.value(instrument));
+                converted.is_some_and(|own| in_flight(instrument).contains(&own))
+            };
+            // Each trial is a fit, and the motion itself tells the unit of most gyroscopes.
+            let is_tried = |unit: &UnitOfReadings| {
+                (instrument == Instrument::Accelerometer || !unit.is_converted_twice)
+                    && is_in_flight(unit)
+            };
+            let others = UnitOfReadings::all(instrument).skip(1).filter(is_tried);
+            let own = (sensor, channel, instrument);
+            found.extend(others.map(|unit| OtherMeaning::new(&[own], Meaning::of_unit(unit))));
         }
     }
-
-    /// The other units of the instruments whose unit the mechanics of the body do not determine.
-    pub fn undetermined(dataset: &Dataset) -> Vec<Self> {
-        let mut found = Vec::new();
-        for (sensor, channel) in sensors(dataset) {
-            // A speed alone determines too little for a trial.
-            if let SensorKind::Instrument(instrument) = sensor.kind
-                && instrument != Instrument::Speed
-                && unit(dataset, instrument, (sensor, channel)).is_none()
-            {
-                let flights = dataset.flights.iter();
-                let usual = median_of(flights.filter_map(|own| root_mean_square(own, channel)));
-                let is_in_flight = |unit: &UnitOfReadings| {
-                    let converted = usual.map(|usual| usual * unit.value(instrument));
-                    converted.is_some_and(|own| own > IN_FLIGHT[0] && own < IN_FLIGHT[1])
-                };
-                // Each trial is a fit, and the motion itself tells the unit of most gyroscopes.
-                let is_tried = |unit: &UnitOfReadings| {
-                    (instrument == Instrument::Accelerometer || !unit.is_converted_twice)
-                        && is_in_flight(unit)
-                };
-                let others = UnitOfReadings::all(instrument).skip(1).filter(is_tried);
-                let own = (sensor, channel, instrument);
-                found.extend(others.map(|unit| Self::new(own, unit)));
-            }
-        }
-        found
-    }
-
-    /// The flight with readings converted from this unit.
-    pub fn converted(&self, mut flight: Flight) -> Flight {
-        let unit = self.unit.value(self.instrument);
-        let readings = flight.readings.iter_mut();
-        for reading in readings.filter_map(|row| row.get_mut(self.channel)?.as_mut()) {
-            *reading = reading.map(|part| part * unit);
-        }
-        flight
-    }
-
-    /// Whether a fit of the converted readings follows them: noise that is as large as they are fits in any unit.
-    pub fn is_followed(&self, dataset: &Dataset, left: &[SensorReport]) -> bool {
-        let usual = dataset.flights.iter();
-        let usual = median_of(usual.filter_map(|own| root_mean_square(own, self.channel)));
-        let unit = self.unit.value(self.instrument);
-        let axis = usual.map(|usual| usual * unit / f64::sqrt(3.0));
-        let left = left.iter().find(|own| own.name == self.sensor);
-        axis.zip(left)
-            .is_some_and(|(axis, left)| left.rms < CLEARLY_SMALLER * axis)
-    }
-
-    /// Message and correction, given how the unit was found.
-    pub fn fault(&self, why: &str) -> (FaultKind, (String, String)) {
-        let (sensor, (unit, _)) = (&self.sensor, units(self.instrument)[self.unit.index]);
-        let (key, si) = match self.instrument {
-            Instrument::Accelerometer => ("acceleration", "m/s²"),
-            Instrument::Gyroscope => ("angular_rate", "rad/s"),
-            Instrument::Speed => ("speed", "m/s"),
-        };
-        let (detail, correction) = match self.unit.is_converted_twice {
-            true => (
-                format!(
-                    "{sensor} seems to be in {si}, and converted from {unit} nevertheless: {why}"
-                ),
-                format!(
-                    "remove `{key} = \"{unit}\"` from [recording] if it stands there, or write {si}"
-                ),
-            ),
-            false => (
-                format!("{sensor} seems to be in {unit}: {why}"),
-                format!("state `{key} = \"{unit}\"` in [recording], or write {si}"),
-            ),
-        };
-        (FaultKind::SensorUnit, (detail, correction))
-    }
-
-    /// Faults of the flights with readings in this unit, given how it was found.
-    pub fn faults(&self, dataset: &Dataset, why: &str) -> Vec<DataFault> {
-        of_flights(dataset, self.channel, self.fault(why))
-    }
-}
-
-/// Root mean square of the readings of a channel; `None` without any.
-fn root_mean_square(flight: &Flight, channel: usize) -> Option<f64> {
-    let squares = series(flight, channel).map(|(_, [x, y, z, _])| x * x + y * y + z * z);
-    let (count, sum) = squares.fold((0.0, 0.0), |(count, sum), own| (count + 1.0, sum + own));
-    (count > 0.0).then(|| f64::sqrt(sum / count))
+    found
 }
 
 /// The first gyroscope and its channel.

@@ -3,7 +3,7 @@
 
 use std::cell::RefCell;
 
-use dataset::synthesize::{Plan, flights};
+use dataset::synthesize::{Corruption, Plan, flights};
 use dataset::{Dataset, Sensor, SensorKind};
 use flight::release::{Vocabulary, built_in, read};
 use identify::{DataFault, FitError, FitOptions, FlightId, fit};
@@ -128,4 +128,36 @@ fn exchanged_axes_of_a_gyroscope_are_named_where_the_rates_about_them_are_small(
         let is_own = |own: &String| own.contains("gyroscope_axes = [\"+y\", \"+x\", \"+z\"]");
         assert!(exchanged.iter().any(is_own), "{rate} Hz: {exchanged:?}");
     }
+}
+
+#[test]
+fn a_late_gyroscope_is_told_and_not_its_axes() {
+    let model = model_spec::load::load("disc", &[]).expect("built in");
+    let text = built_in("backhand").expect("built in");
+    let release = read("backhand", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let plan = Plan {
+        flights: 4,
+        duration: Some(1.2),
+        noise: Corruption {
+            sigma: 3e-4,
+            ..Corruption::default()
+        },
+        ..Plan::default()
+    };
+    let dataset = flights(&model, &[release], &plan).expect("made").dataset;
+    let rates = readings(&model, &dataset, Instrument::Gyroscope);
+    let told = |late: usize| {
+        let random = RefCell::new(ChaCha12Rng::seed_from_u64(1));
+        let noise = || 1.0 * (random.borrow_mut().random::<f64>() - 0.5);
+        let read = with_readings(&dataset, Instrument::Gyroscope, None, |flight, sample| {
+            rates[flight][sample.saturating_sub(late)].map(|rate| rate + noise())
+        });
+        let found = fit(&model, &read, &FitOptions::default()).expect("a fit");
+        found.report.contradicted
+    };
+    assert_eq!(told(0), Vec::<String>::new());
+    let late = told(4);
+    // The fit turns the body towards the readings.
+    let is_told = |own: &String| own.contains("about 0.025 s late") || own.contains("0.033 s late");
+    assert!(late.len() == 1 && late.iter().all(is_told), "{late:?}");
 }

@@ -7,16 +7,17 @@ use super::{calm_disc, found};
 use crate::error::FaultKind;
 use crate::options::FitOptions;
 use crate::report::SensorReport;
-use crate::screening::OtherUnit;
+use crate::screening::undetermined;
 use dataset::{Dataset, Reading, Sensor, SensorKind};
 
-/// What is recorded in one sample: position, quaternion, angular velocity and specific force.
+/// What is recorded in one sample: position, quaternion, angular velocity and specific force; and the angular acceleration.
 #[derive(Clone, Copy)]
 struct Sample {
     position: [f64; 3],
     quaternion: Reading,
     rate: [f64; 3],
     force: [f64; 3],
+    angular_acceleration: Vector3<f64>,
 }
 
 impl Sample {
@@ -34,19 +35,25 @@ impl Sample {
 /// Sample of a disc that wobbles and falls more slowly than freely, in flight `index`, with errors of the readings.
 fn sample(index: usize, time: f64) -> Sample {
     const TILT: f64 = 0.12;
+    const STEP: f64 = 1e-4;
     let (spin, speed) = (-40.0 - 5.0 * index as f64, 8.0 + 3.0 * index as f64);
     // A disc has twice the moment of inertia about its axis, so that it precesses about twice as fast as it spins.
     let precession = 1.93 * (spin / TILT.cos());
     let about = |axis: &Vector3<f64>, angle: f64| UnitQuaternion::from_scaled_axis(axis * angle);
     let (x, z) = (Vector3::x(), Vector3::z());
-    let attitude = about(&x, 0.2)
-        * about(&z, precession * time)
-        * about(&x, TILT)
-        * about(&z, (spin - precession * TILT.cos()) * time);
-    let momentum = attitude.inverse() * about(&x, 0.2) * (z * precession);
+    let attitude = |time: f64| {
+        about(&x, 0.2)
+            * about(&z, precession * time)
+            * about(&x, TILT)
+            * about(&z, (spin - precession * TILT.cos()) * time)
+    };
     let relative = z * (spin - precession * TILT.cos());
+    let rate_at =
+        |time: f64| attitude(time).inverse() * about(&x, 0.2) * (z * precession) + relative;
+    let (attitude, rate) = (attitude(time), rate_at(time));
+    let angular_acceleration = (rate_at(time + STEP) - rate_at(time - STEP)) / (2.0 * STEP);
     let error = |k: f64| 0.05 * (1e3 * (time + k)).sin();
-    let rate = momentum + relative + Vector3::new(error(1.0), error(2.0), error(3.0));
+    let rate = rate + Vector3::new(error(1.0), error(2.0), error(3.0));
     let acceleration = Vector3::new(-5.0, 2.0, -9.4 - 0.1 * index as f64);
     let velocity = Vector3::new(speed, 0.0, 2.0);
     let position =
@@ -58,6 +65,7 @@ fn sample(index: usize, time: f64) -> Sample {
         quaternion: [qw, qx, qy, qz],
         rate: rate.into(),
         force: (force + Vector3::new(error(7.0), error(8.0), error(9.0))).into(),
+        angular_acceleration,
     }
 }
 
@@ -134,7 +142,18 @@ fn readings_on_a_coarse_grid_are_not_saturated_and_those_at_a_limit_are() {
 #[test]
 fn axes_of_instruments_beside_poses_are_named() {
     type Change = fn(Sample) -> Sample;
-    let cases: [(Change, &str); 12] = [
+    let cases: [(Change, &str); 13] = [
+        (
+            |own| {
+                let turn = dataset::attitude(own.quaternion);
+                let force = Vector3::from(own.force) - turn.inverse() * Vector3::z() * 19.587;
+                Sample {
+                    force: force.into(),
+                    ..own
+                }
+            },
+            "write specific forces",
+        ),
         (
             |own| own.with_rate(|all| all.map(|part| -part)),
             "gyroscope_axes = [\"-x\", \"-y\", \"-z\"]",
@@ -204,7 +223,7 @@ fn axes_of_instruments_beside_poses_are_named() {
     }
 }
 
-/// Turned accelerometers off the axis of the spin: the mean acceleration across it is the centripetal one of another place.
+/// Turned accelerometers off the axis of the spin: they show the accelerations of another place.
 #[test]
 fn a_turned_accelerometer_beside_a_gyroscope_alone_is_named() {
     const PLACE: [f64; 3] = [0.02, 0.01, 0.005];
@@ -212,8 +231,8 @@ fn a_turned_accelerometer_beside_a_gyroscope_alone_is_named() {
     type Turn = fn([f64; 3]) -> [f64; 3];
     let told = |turn: Turn| {
         let mut dataset = recorded(false, |own| {
-            let rate = Vector3::from(own.rate);
-            let lever = rate.cross(&rate.cross(&Vector3::from(PLACE)));
+            let (rate, place) = (Vector3::from(own.rate), Vector3::from(PLACE));
+            let lever = own.angular_acceleration.cross(&place) + rate.cross(&rate.cross(&place));
             own.with_force(|force| turn((Vector3::from(force) + lever).into()))
         });
         dataset.sensors[1].position = PLACE;
@@ -232,11 +251,55 @@ fn a_turned_accelerometer_beside_a_gyroscope_alone_is_named() {
     }
 }
 
+/// Instruments at the mass centre beside nothing else: the body spins about its axis, and the force on it turns slowly.
+#[test]
+fn axes_of_instruments_alone_are_named() {
+    type Turn = fn([f64; 3]) -> [f64; 3];
+    let same: Turn = |own| own;
+    let over: Turn = |[x, y, z]| [x, -z, y];
+    let exchanged: Turn = |[x, y, z]| [y, x, z];
+    let opposite: Turn = |own| own.map(|part| -part);
+    let told = |rate: Turn, force: Turn| {
+        let found = told(false, |own| own.with_rate(rate).with_force(force));
+        let correction = found.map_or_else(String::new, |(_, correction)| correction);
+        ["gyroscope_axes", "accelerometer_axes"].map(|key| correction.contains(key))
+    };
+    let cases = [
+        (same, same, [false, false]),
+        (over, same, [true, false]),
+        (same, over, [false, true]),
+        (over, over, [true, true]),
+        (same, exchanged, [false, true]),
+        (opposite, same, [true, false]),
+    ];
+    for (case, (rate, force, named)) in cases.into_iter().enumerate() {
+        assert_eq!(told(rate, force), named, "case {case}");
+    }
+}
+
+#[test]
+fn a_wrong_place_of_an_accelerometer_beside_a_gyroscope_alone_is_named() {
+    let (model, _) = calm_disc(1);
+    let told = |place: [f64; 3]| {
+        let mut dataset = recorded(false, |own| own);
+        dataset.sensors[1].position = place;
+        let faults = found(&model, &dataset);
+        faults.first().map(|own| own.detail.clone())
+    };
+    let detail = told([0.03, 0.0, 0.0]).unwrap_or_default();
+    assert!(
+        detail.contains("only at x = 0.0 mm, y = 0.0 mm"),
+        "{detail}"
+    );
+    // What is off by less is left to the fit.
+    assert_eq!(told([0.001, 0.0, 0.0]), None);
+}
+
 /// A fit in another unit whose residuals are as large as the readings tells nothing of the unit.
 #[test]
 fn another_unit_is_one_in_which_a_fit_follows_the_readings() {
     let dataset = recorded(false, |own| own);
-    let others = OtherUnit::undetermined(&dataset);
+    let others = undetermined(&dataset);
     let unit = others.first().expect("units of the accelerometer");
     let squares = dataset.flights.iter().flat_map(|flight| &flight.readings);
     let squares =
