@@ -54,3 +54,6 @@ pub const MIN_SERIES: usize = 20;
 
 /// Number of flights from which statements are made of the differences between flights.
 pub const MIN_POPULATION: usize = 4;
+
+/// Standard error of a direction, in typical magnitudes, above which the flights do not show it at all.
+pub const CONFOUNDED: f64 = 1e3;

@@ -1,9 +1,8 @@
 //! Assessment whether a fit is reliable, with the reasons if it is not.
 
 use super::{Coefficient, FitReport, FitStatus, InputNoise, LackOfFit, stated};
-use crate::levels::{FAR_ABOVE, LEAST_NOISE, SIGNIFICANT};
+use crate::levels::{CONFOUNDED, FAR_ABOVE, LEAST_NOISE, SIGNIFICANT};
 use crate::numbers::{Digits, significant};
-use crate::uncertainty::CONFOUNDED;
 use crate::wording::{count, listed};
 use dataset::Role;
 

@@ -30,11 +30,10 @@ use flight::parallel;
 
 pub(crate) use self::free_axes::mirrored;
 use self::free_fall::FreeFall;
-pub(crate) use self::other_meaning::OtherMeaning;
+pub(crate) use self::other_meaning::{OtherMeaning, undetermined};
 pub(crate) use self::pose_frames::Poses;
 pub(crate) use self::signed_axes::SignedAxes;
 use self::track::Track;
-pub(crate) use self::units::undetermined;
 use crate::error::{DataFault, ExcludedFlight, FaultKind, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;

@@ -4,8 +4,6 @@
 use model_spec::compose::Instrument;
 use nalgebra::Vector3;
 
-use super::meaning::Meaning;
-use super::other_meaning::{OtherMeaning, root_mean_square};
 use super::readings::{sensors, series};
 use dataset::statistics::median_of;
 use dataset::{ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, SPEEDS, Sensor, SensorKind};
@@ -23,14 +21,6 @@ const MIN_TURNING: f64 = 0.4;
 /// unit of an accelerometer, m/s².
 const MIN_TURNED: f64 = 20.0;
 const MIN_CENTRIPETAL: f64 = 10.0;
-
-/// Root mean squares of the readings of bodies in flight: a unit by which they are outside is not tried.
-fn in_flight(instrument: Instrument) -> std::ops::Range<f64> {
-    match instrument {
-        Instrument::Gyroscope => 0.3..3000.0,
-        Instrument::Accelerometer | Instrument::Speed => 1.0..500.0,
-    }
-}
 
 /// Units in which an instrument may record; the first is that of a dataset.
 pub fn units(instrument: Instrument) -> &'static [(&'static str, f64)] {
@@ -117,34 +107,6 @@ pub fn unit(
         _ => UNIT_ERROR,
     };
     (nearest.1 < limit).then_some(nearest.0)
-}
-
-/// The other units of the instruments whose unit the mechanics of the body do not determine.
-pub fn undetermined(dataset: &Dataset) -> Vec<OtherMeaning> {
-    let mut found = Vec::new();
-    for (sensor, channel) in sensors(dataset) {
-        // A speed alone determines too little for a trial.
-        if let SensorKind::Instrument(instrument) = sensor.kind
-            && instrument != Instrument::Speed
-            && unit(dataset, instrument, (sensor, channel)).is_none()
-        {
-            let flights = dataset.flights.iter();
-            let usual = median_of(flights.filter_map(|own| root_mean_square(own, channel)));
-            let is_in_flight = |unit: &UnitOfReadings| {
-                let converted = usual.map(|usual| usual * unit.value(instrument));
-                converted.is_some_and(|own| in_flight(instrument).contains(&own))
-            };
-            // Each trial is a fit, and the motion itself tells the unit of most gyroscopes.
-            let is_tried = |unit: &UnitOfReadings| {
-                (instrument == Instrument::Accelerometer || !unit.is_converted_twice)
-                    && is_in_flight(unit)
-            };
-            let others = UnitOfReadings::all(instrument).skip(1).filter(is_tried);
-            let own = (sensor, channel, instrument);
-            found.extend(others.map(|unit| OtherMeaning::new(&[own], Meaning::of_unit(unit))));
-        }
-    }
-    found
 }
 
 /// The first gyroscope and its channel.

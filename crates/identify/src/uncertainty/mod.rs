@@ -5,7 +5,7 @@ mod profile;
 
 use nalgebra::{DMatrix, DVector};
 
-pub use non_identifiability::{CONFOUNDED, non_identifiable};
+pub use non_identifiability::non_identifiable;
 pub use profile::profile;
 
 use crate::least_squares::{ReducedSystem, floored_inverse};

@@ -6,6 +6,7 @@ use model_spec::model::{Expr, ExprKind, Model};
 use model_spec::sort_by_number;
 use nalgebra::{DMatrix, SymmetricEigen};
 
+use crate::levels::CONFOUNDED;
 use crate::numbers::{is_angle, unit};
 use crate::problem::GlobalParameter;
 use crate::report::NonIdentifiable;
@@ -14,9 +15,6 @@ use crate::wording::listed;
 /// Standard error of a direction, in typical magnitudes, above which it is not identifiable, and minimum component of a
 /// coefficient that is named, relative to the largest.
 const DIRECTION: (f64, f64) = (0.5, 0.3);
-
-/// Standard error of a direction, in typical magnitudes, above which the flights do not show it at all.
-pub const CONFOUNDED: f64 = 1e3;
 
 /// Minimum and maximum of each auxiliary variable and state over the flights.
 type ExcitationRange = BTreeMap<String, (f64, f64)>;
