@@ -62,8 +62,8 @@ fn any_model_gets_candidates_that_can_be_applied_alone_and_together() {
 
 #[test]
 fn the_built_in_bodies_keep_the_effects_of_their_own() {
-    // The distortion of a lens and the tilt of a template are in no body's own list.
-    let of_attitude = &["lens_distortion", "template_tilt"][..];
+    // The distortion of a lens and the turns of attitudes and of a template are in no body's own list.
+    let of_attitude = &["attitude_turned", "lens_distortion", "template_tilt"][..];
     for (model, count, general) in [
         ("disc", 35, of_attitude),
         ("disc_quaternion", 35, of_attitude),

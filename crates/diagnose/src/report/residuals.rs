@@ -15,6 +15,9 @@ const MAX_DEPARTURES: usize = 3;
 /// Fraction of the misfit that an explanation must account for if residuals remain and the flights do not agree on it.
 const MIN_EXPLAINED: f64 = 0.9;
 
+/// Number of effects on one load that together fit nearly any smooth law of it.
+const EXPANSION: usize = 3;
+
 /// Ratio of the decrease of χ² by an explanation to that without the priors that the data contradict, above which it is not
 /// their stand-in.
 const MORE_THAN_PRIORS: f64 = 2.0;
@@ -95,20 +98,27 @@ pub(crate) fn withdraw_inadequate(report: &mut Report) {
     report.unattributed = Some(Unattributed::described(description));
 }
 
-/// Withdraws the verdict where several effects explain the residuals together, and the tests of the extended model show that
-/// it lacks a term still: the effects stand in for one that is no candidate, as powers of the speed for another law of it.
+/// Withdraws the verdict where several effects stand in for one that is no candidate, as powers of the speed for another law
+/// of it: the tests of the extended model show that it lacks a term still, or [`EXPANSION`] effects are on the same load.
 pub(crate) fn withdraw_stand_ins(report: &mut Report) {
-    let (Some(missing), Some(nearest)) = (report.missing_term(), report.explanations.first())
+    let Some(nearest) = report
+        .explanations
+        .first()
+        .filter(|_| report.states_cause())
     else {
         return;
     };
-    if nearest.effects.len() < 2 {
-        return;
-    }
-    let description = format!(
-        "{} With these effects, {missing} They stand in for an effect that is no candidate.",
-        explains(nearest)
-    );
+    let sites = nearest.effects.iter().map(|effect| &effect.site);
+    let is_of_one_load = sites.clone().all(|site| *site == nearest.effects[0].site);
+    let why = match (report.missing_term(), nearest.effects.len()) {
+        (Some(missing), 2..) => format!("With these effects, {missing}"),
+        (None, EXPANSION..) if is_of_one_load => {
+            "So many effects on one load fit nearly any law of it.".to_owned()
+        }
+        _ => return,
+    };
+    let nearest = explains(nearest);
+    let description = format!("{nearest} {why} They stand in for an effect that is no candidate.");
     report.verdict = Verdict::Unattributed;
     report.unattributed = Some(Unattributed::described(description));
 }

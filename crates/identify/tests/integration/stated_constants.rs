@@ -59,5 +59,5 @@ fn gravity_in_feet_is_told_where_the_positions_are_in_feet_too() {
         *coordinate *= 3.2808;
     }
     let told = cautions(&(model, dataset), "g", 32.174);
-    assert!(told[0].contains("g is stated as 32.174"), "{told:?}");
+    assert!(told[0].contains("g is stated as 32.2"), "{told:?}");
 }
