@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast, overload
 
 from hyzer import _hyzer, _toml
+from hyzer._analyses import report_of
 from hyzer._arguments import is_path, mapping, text_of, whole
 from hyzer._errors import InputError
 from hyzer._extras import extra, frame_of
@@ -148,7 +149,7 @@ def _plan(plan: Any, made: Path) -> tuple[str, str, str]:
             report = fitted.get("report", "")
             if isinstance(report, Fit):
                 written = made / "report.json"
-                written.write_text(json.dumps(report.to_dict()), encoding="utf-8")
+                written.write_text(cast(str, report_of(report)), encoding="utf-8")
                 report = written
             keys["fit"] = {**fitted, "report": os.path.abspath(report)}
         if isinstance(keys.get("model"), _hyzer.Model):

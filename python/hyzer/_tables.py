@@ -81,7 +81,7 @@ def text_of(
         )
     since = seconds(times, origin)
     given = cast("Any", frame)
-    is_indexed = "t" not in frame.columns and frame.index.name == "t"
+    is_indexed = _is_indexed(frame)
     if since is not times:
         given = given.reset_index(drop=not is_indexed).assign(t=since)
         is_indexed = False
@@ -95,8 +95,12 @@ def text_of(
 
 def _times(frame: pd.DataFrame) -> Any:
     """Return the times of a table: its column or index `t`; None if it has none."""
-    is_indexed = "t" not in frame.columns and frame.index.name == "t"
-    return frame.index if is_indexed else cast("Any", frame).get("t")
+    return frame.index if _is_indexed(frame) else cast("Any", frame).get("t")
+
+
+def _is_indexed(frame: pd.DataFrame) -> bool:
+    """Return whether the index of a table has its times."""
+    return "t" not in frame.columns and frame.index.name == "t"
 
 
 def table(file: str, flight: Mapping[str, npt.ArrayLike], kinds: Mapping[str, str]) -> str:

@@ -57,3 +57,15 @@ pub const MIN_POPULATION: usize = 4;
 
 /// Standard error of a direction, in typical magnitudes, above which the flights do not show it at all.
 pub const CONFOUNDED: f64 = 1e3;
+
+/// Ratio of a misfit to the least one up to which another meaning of readings is as good.
+pub const AS_GOOD: f64 = 1.2;
+
+/// Greatest delay of readings that is compared, in intervals between them.
+pub const MAX_DELAY: i32 = 12;
+
+/// Whether a ratio of sums of squares is clearly above that of noise of unknown size: by twice the gain of the
+/// log-likelihood of this number of values.
+pub fn is_clear(ratio: f64, count: f64) -> bool {
+    ratio > NEAR_NOISE * NEAR_NOISE && count * ratio.ln() > SIGNIFICANT * SIGNIFICANT
+}

@@ -7,15 +7,12 @@ use nalgebra::Vector3;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::channel::ChannelKind;
-use crate::levels::{NEAR_NOISE, SIGNIFICANT};
+use crate::levels::{MAX_DELAY, is_clear};
 use crate::screening::SignedAxes;
 use dataset::statistics::median_of;
 
 /// Predicted and measured readings of one flight, less their means, as instruments have offsets, and the time between them, s.
 type Readings = (Vec<[Vector3<f64>; 2]>, f64);
-
-/// Greatest number of readings by which they are shifted.
-const SHIFTED: usize = 12;
 
 /// Sentences on instruments whose readings follow the motion of the fit clearly better along other axes or at other times;
 /// none without positions, where the fit turns the body as the readings ask.
@@ -107,7 +104,7 @@ fn better_axes(flights: &[Readings]) -> Option<(SignedAxes, f64)> {
     let sum = |squares: &Vector3<f64>| changed.clone().map(|axis| squares[axis]).sum::<f64>();
     let count = flights.iter().map(|own| own.0.len()).sum::<usize>();
     let of_changed = count * changed.clone().count();
-    is_clear(sum(&as_they_are) / sum(&found), of_changed)
+    is_clear(sum(&as_they_are) / sum(&found), of_changed as f64)
         .then_some((*axes, found.sum() / count as f64))
 }
 
@@ -121,19 +118,13 @@ fn delay(flights: &[Readings]) -> Option<(f64, f64)> {
             measured.zip(predicted)
         });
         let squares = pairs.map(|(measured, predicted)| (measured - predicted).norm_squared());
-        let (count, sum) = squares.fold((0, 0.0), |(count, sum), own| (count + 1, sum + own));
-        (sum / count as f64, count)
+        let (count, sum) = squares.fold((0.0, 0.0), |(count, sum), own| (count + 1.0, sum + own));
+        (sum / count, count)
     };
-    let furthest = SHIFTED as isize;
+    let furthest = MAX_DELAY as isize;
     let shifts = (-furthest..=furthest).filter(|shift| *shift != 0);
     let shifts = shifts.map(|shift| (shift, mean_square(shift)));
     let (shift, (left, count)) = shifts.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
     let interval = median_of(flights.iter().map(|own| own.1))?;
-    is_clear(mean_square(0).0 / left, 3 * count).then_some((shift as f64 * interval, left))
-}
-
-/// Whether a ratio of sums of squares is clearly above that of noise of unknown size: by twice the gain of the
-/// log-likelihood of this number of values.
-fn is_clear(ratio: f64, count: usize) -> bool {
-    ratio > NEAR_NOISE * NEAR_NOISE && count as f64 * ratio.ln() > SIGNIFICANT * SIGNIFICANT
+    is_clear(mean_square(0).0 / left, 3.0 * count).then_some((shift as f64 * interval, left))
 }

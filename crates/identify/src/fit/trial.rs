@@ -84,13 +84,19 @@ fn tried(
     }
 }
 
-/// The fit if it is reliable, also by the tests of its residuals.
-fn reliable(fit: Fit, options: &FitOptions<'_>) -> Option<Fit> {
-    let tested = fit.with_lack_of_fit(options.threads()).ok();
-    tested.filter(|fit| fit.report.reliable)
+/// [`tried`], if the fit is reliable, also by the tests of its residuals.
+fn tried_reliably(
+    model: &Model,
+    dataset: &Dataset,
+    flights: impl Iterator<Item = Flight>,
+    options: &FitOptions<'_>,
+) -> Result<Option<Fit>, FitError> {
+    let found = tried(model, dataset, flights, options)?;
+    let tested = found.and_then(|fit| fit.with_lack_of_fit(options.threads()).ok());
+    Ok(tested.filter(|fit| fit.report.reliable))
 }
 
-/// Fit of a few flights with readings of another meaning.
+/// Reliable fit of a few flights with readings of another meaning.
 fn tried_with(
     other: &OtherMeaning,
     model: &Model,
@@ -99,7 +105,7 @@ fn tried_with(
 ) -> Result<Option<Fit>, FitError> {
     let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
     let converted = to_fit.map(|flight| other.converted(flight.clone()));
-    tried(model, dataset, converted, options)
+    tried_reliably(model, dataset, converted, options)
 }
 
 /// Faults of a gyroscope whose axes are those of a mirror image, if it may be so and the flights then fit in every respect.
@@ -113,8 +119,7 @@ pub fn mirrored(
         return Ok(Vec::new());
     }
     for other in screening::mirrored(problem, dataset) {
-        let found = tried_with(&other, model, dataset, options)?;
-        if found.is_some_and(|fit| reliable(fit, options).is_some()) {
+        if tried_with(&other, model, dataset, options)?.is_some() {
             let why = "only so does the angular momentum turn slowly, and the flights fit";
             return Ok(other.faults(dataset, why, false));
         }
@@ -143,7 +148,6 @@ pub fn other_unit(
     };
     for unit in units.into_iter().filter(|_| may_be_wrong) {
         let found = tried_with(&unit, model, dataset, options)?;
-        let found = found.and_then(|fit| reliable(fit, options));
         if found.is_some_and(|fit| unit.is_followed(dataset, &fit.report.sensors)) {
             let why = "the flights fit to the noise in this unit, and not as they are";
             return Ok(unit.faults(dataset, why, true));
@@ -181,8 +185,7 @@ pub fn frames_of_poses(
             continue;
         }
         let to_fit = to_fit().map(|flight| pose.turned(flight, degrees));
-        let found = tried(&turned, dataset, to_fit, options)?;
-        let found = found.and_then(|fit| reliable(fit, options));
+        let found = tried_reliably(&turned, dataset, to_fit, options)?;
         let Some(left) = found.as_ref().and_then(turn_about_third) else {
             continue;
         };
@@ -197,8 +200,7 @@ pub fn frames_of_poses(
             continue;
         }
         let negated = to_fit().map(|flight| pose.negated(flight, axis));
-        let found = tried(model, dataset, negated, options)?;
-        if found.is_some_and(|fit| reliable(fit, options).is_some()) {
+        if tried_reliably(model, dataset, negated, options)?.is_some() {
             return Ok(pose.faults_of_sign(axis));
         }
     }

@@ -12,12 +12,9 @@ use super::readings::{of_flights, sensors, series};
 use super::signed_axes::SignedAxes;
 use super::units::gyroscope;
 use crate::error::{DataFault, FaultKind};
-use crate::levels::{NEAR_NOISE, ROUNDING, SIGNIFICANT};
+use crate::levels::{AS_GOOD, ROUNDING, is_clear};
 use crate::problem::FitProblem;
 use dataset::{Dataset, Flight, Sensor, SensorKind};
-
-/// Ratio of the unsteadiness to the least one up to which other axes are as good.
-const AS_GOOD: f64 = 1.2;
 
 /// Number of flights that are compared.
 const COMPARED: usize = 8;
@@ -233,8 +230,7 @@ impl<'d> FreeInstruments<'d> {
     fn seems_mirrored(&self) -> bool {
         let [stated, other] = [SignedAxes::default(), SignedAxes::OPPOSITE];
         let [(before, count), (after, _)] = [stated, other].map(|axes| self.fast_changes(axes));
-        let gain = count * (before / after).ln();
-        before > NEAR_NOISE * NEAR_NOISE * after && gain > SIGNIFICANT * SIGNIFICANT
+        is_clear(before / after, count)
     }
 
     /// Such axes, in both senses of the spin or in that in which an accelerometer shows a slow force.

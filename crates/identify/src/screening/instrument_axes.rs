@@ -10,14 +10,9 @@ use super::other_meaning::OtherMeaning;
 use super::readings::series;
 use super::track::Track;
 use crate::error::FaultKind;
+use crate::levels::{AS_GOOD, MAX_DELAY};
 use dataset::statistics::median_of;
 use dataset::{Dataset, Sensor};
-
-/// Ratio of the misfit to the least one up to which an interpretation of the readings is as good.
-const AS_GOOD: f64 = 1.2;
-
-/// Greatest delay of readings that is compared, in intervals between them.
-const LATE: i32 = 12;
 
 /// Kind, message and correction of readings that follow the motion of the body only with another meaning.
 pub fn check(
@@ -71,7 +66,7 @@ fn delays(dataset: &Dataset, channel: usize) -> impl Iterator<Item = f64> {
         Some(second - first)
     });
     let interval = median_of(intervals).unwrap_or_default();
-    (1..=LATE).flat_map(move |k| [k, -k].map(|k| f64::from(k) * interval))
+    (1..=MAX_DELAY).flat_map(move |k| [k, -k].map(|k| f64::from(k) * interval))
 }
 
 /// The simplest of the best meanings, and whether no other is as good, if it is clearly better than the first.
