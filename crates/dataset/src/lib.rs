@@ -47,7 +47,9 @@ pub use in_memory::from_texts;
 pub use input_error::InputError;
 pub use launch_monitor::{ImportedShots, ShotOptions, import_shots, read_shots, table_rows};
 pub use recording::{ACCELERATIONS, ANGULAR_RATES, SPEEDS};
-pub use sensor::{Reading, Sensor, SensorKind, attitude, points_on_body, points_seen, spin_axis};
+pub use sensor::{
+    Reading, Sensor, SensorKind, attitude, points_on_body, points_seen, spin_axis, turned,
+};
 pub use summary::{SummaryColumn, SummaryEvent, SummaryQuantity, SummaryUnit};
 use toml_text::quoted;
 pub use write::{manifest_text, table_text, write, write_commented, write_with};

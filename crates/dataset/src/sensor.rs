@@ -140,6 +140,16 @@ pub fn spin_axis<A>(flights: impl IntoIterator<Item = A>) -> Option<usize>
 where
     A: IntoIterator<Item = UnitQuaternion<f64>>,
 {
+    let turned = turned(flights);
+    let (axis, all) = (turned.iamax(), turned.norm());
+    (all > std::f64::consts::TAU && turned[axis].abs() > SPIN_SHARE * all).then_some(axis)
+}
+
+/// Sum of the rotations between successive attitudes of flights, rad, in the axes of the body.
+pub fn turned<A>(flights: impl IntoIterator<Item = A>) -> Vector3<f64>
+where
+    A: IntoIterator<Item = UnitQuaternion<f64>>,
+{
     let mut turned = Vector3::zeros();
     for attitudes in flights {
         let mut before: Option<UnitQuaternion<f64>> = None;
@@ -149,8 +159,7 @@ where
             }
         }
     }
-    let (axis, all) = (turned.iamax(), turned.norm());
-    (all > std::f64::consts::TAU && turned[axis].abs() > SPIN_SHARE * all).then_some(axis)
+    turned
 }
 
 /// Three virtual marker points that represent a pose sensor at `position`, in the frame of the marker positions, m.

@@ -94,6 +94,59 @@ fn a_displaced_accelerometer_is_named() {
     assert!((by.value - 0.005).abs() < MAX_Z * by.std_error, "{by:?}");
 }
 
+/// Changes what the instrument number `instrument` of a dataset without poses reads.
+fn misread(
+    dataset: &mut Dataset,
+    instrument: usize,
+    change: impl Fn(Vector3<f64>) -> Vector3<f64>,
+) {
+    for row in dataset.flights.iter_mut().flat_map(|own| &mut own.readings) {
+        row[instrument] = row[instrument].map(|[x, y, z, last]| {
+            let read = change(Vector3::new(x, y, z));
+            [read.x, read.y, read.z, last]
+        });
+    }
+}
+
+#[test]
+fn an_instrument_that_is_turned_about_any_axis_is_named() {
+    let of_names = [
+        ("gyroscope-misaligned", "gyro_turn"),
+        ("accelerometer-misaligned", "accelerometer_turn"),
+    ];
+    for (instrument, (name, coefficient)) in of_names.into_iter().enumerate() {
+        for (axis, angle) in [(0, 0.05), (2, 0.1), (2, 1.2)] {
+            let set = observed(true, inertial(), [0.0; 3]);
+            let mut dataset = sensor_flights(&disc(), &PLAN, &set, 7);
+            let unit = Vector3::ith_axis(axis);
+            let turn = Rotation3::from_axis_angle(&unit, angle);
+            misread(&mut dataset, instrument, |read| turn.inverse() * read);
+            let found = diagnose(&disc(), &dataset, &DiagnosisOptions::default());
+            let report = found.expect("a diagnosis").report;
+            let effects = &report.explanations[0].effects;
+            assert_eq!(effects.len(), 1, "{}", report.summary);
+            assert_eq!(effects[0].name, name, "{}", report.summary);
+            let found = &effects[0].estimates[&format!("{coefficient}_{}", axis + 1)];
+            let expected = 2.0 * f64::tan(angle / 2.0);
+            let error = (found.value - expected).abs();
+            assert!(error < MAX_Z * found.std_error, "{expected}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn without_positions_the_noise_of_a_diagnosis_is_that_of_the_instrument() {
+    let set = observed(false, inertial(), [0.0; 3]);
+    let mut dataset = sensor_flights(&disc(), &PLAN, &set, 7);
+    misread(&mut dataset, 1, |read| read + Vector3::new(0.7, -0.4, 0.5));
+    let found = diagnose(&disc(), &dataset, &DiagnosisOptions::default()).expect("a diagnosis");
+    let gain = found.report.predictive_gain.expect("an explanation");
+    let force = SensorNoise::default().force;
+    for noise in [gain.noise_m, found.report.noise["accelerometer"].sigma] {
+        assert!((noise / force - 1.0).abs() < 0.1, "{noise} and {force}");
+    }
+}
+
 /// Rotates all measured positions of a dataset, and marks its vertical direction as unknown.
 fn turned(mut dataset: Dataset, turn: Rotation3<f64>) -> Dataset {
     for flight in &mut dataset.flights {

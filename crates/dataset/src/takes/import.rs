@@ -13,9 +13,9 @@ use crate::takes::{Fault, Location};
 use crate::{Flight, Marker};
 use flight::table::listed;
 
-/// Acceleration downwards of free flights, over that of gravity, by which a unit of length is recognised: units differ by a
-/// factor of 2.5 at least.
-const FALLS: std::ops::Range<f64> = 0.6..1.3;
+/// Acceleration downwards of free flights, over that of gravity, by which an axis up or a unit of length is recognised: lift
+/// bears most of the weight of a disc, and units differ by a factor of 2.5 at least.
+const FALLS: std::ops::Range<f64> = 0.2..1.3;
 
 /// What the user states about the recordings of a body.
 #[derive(Clone, Debug, Default)]
@@ -163,15 +163,21 @@ pub fn found_otherwise(
     labels: &[&str],
     (up, left_handed): (Axis, bool),
 ) -> Option<TakeError> {
-    let told = |found: String, option: String| Some(TakeError::new(file, fault(found, option)));
     if let Some(other) = other_up(take, labels, left_handed, up) {
         let found = format!("no throw with {up} up, and free flights with {other} up");
-        return told(found, format!("--up {other}"));
+        return Some(TakeError::new(file, fault(found, format!("--up {other}"))));
     }
     let turned = take.clone().with_z_up(up, left_handed);
-    let (other, own) = (other_length(&turned, labels)?, take.length);
-    let found = format!("no throw with lengths in {own}, and free flights with lengths in {other}");
-    told(found, format!("--length {other}"))
+    let others = other_lengths(&turned, labels);
+    let each =
+        |form: fn(&LengthUnit) -> String| others.iter().map(form).collect::<Vec<_>>().join(" or ");
+    let (names, correction) = (
+        each(LengthUnit::to_string),
+        each(|unit| format!("--length {unit}")),
+    );
+    let own = take.length;
+    let found = format!("no throw with lengths in {own}, and free flights with lengths in {names}");
+    (!others.is_empty()).then(|| TakeError::new(file, fault(found, correction)))
 }
 
 /// First axis other than `up` with which throws are found when it points up.
@@ -179,29 +185,27 @@ fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option
     let all = ["+z", "+y", "+x", "-z", "-y", "-x"]
         .into_iter()
         .filter_map(Axis::parse);
-    all.filter(|axis| *axis != up).find(|&axis| {
-        let turned = take.clone().with_z_up(axis, left_handed);
-        !find_throws(&turned, labels, &ThrowOptions::default())
-            .throws
-            .is_empty()
-    })
+    all.filter(|axis| *axis != up)
+        .find(|&axis| falls(&take.clone().with_z_up(axis, left_handed), labels))
 }
 
-/// The one other unit of the coordinates of a recording with z up in which throws are found, falling about as fast as
-/// gravity makes bodies fall; `None` if there is none, or there are several.
-fn other_length(take: &Take, labels: &[&str]) -> Option<LengthUnit> {
-    let falls = |unit: &LengthUnit| {
-        let scaled = take.clone().scaled(unit.metres() / take.length.metres());
-        let found = find_throws(&scaled, labels, &ThrowOptions::default());
-        let mut falls = found
-            .throws
-            .iter()
-            .map(|throw| -throw.acceleration[2] / GRAVITY);
-        falls.any(|fall| FALLS.contains(&fall))
-    };
+/// The other units of the coordinates of a recording with z up in which throws are found.
+fn other_lengths(take: &Take, labels: &[&str]) -> Vec<LengthUnit> {
+    let scaled = |unit: LengthUnit| take.clone().scaled(unit.metres() / take.length.metres());
     let others = LengthUnit::all().filter(|unit| *unit != take.length);
-    let mut others = others.filter(falls);
-    others.next().filter(|_| others.next().is_none())
+    others
+        .filter(|unit| falls(&scaled(*unit), labels))
+        .collect()
+}
+
+/// Whether a throw is found in a recording with z up that falls about as gravity makes bodies fall.
+fn falls(take: &Take, labels: &[&str]) -> bool {
+    let found = find_throws(take, labels, &ThrowOptions::default());
+    let mut falls = found
+        .throws
+        .iter()
+        .map(|throw| -throw.acceleration[2] / GRAVITY);
+    falls.any(|fall| FALLS.contains(&fall))
 }
 
 /// Whether a label of a recording is the one `stated`: as it stands, or after its subject, as `m1` of `Disc:m1`. Readers

@@ -1,6 +1,6 @@
 //! State of a diagnosis: explanations that are found, validated and reported.
 
-use identify::{Fit, Iterate};
+use identify::{Fit, Iterate, leading_noise};
 
 use crate::base_fit::{BaseFit, Clock};
 use crate::context::{Context, ScoreTestModel};
@@ -140,6 +140,12 @@ impl<'a> Analysis<'a> {
         terms.fitted.last()
     }
 
+    /// Standard deviation of the noise of the leading kind of sensor, in its unit.
+    fn noise(&self) -> f64 {
+        let fitted = (&self.before, self.residuals.as_ref());
+        leading_noise(&report::noise(fitted, &self.model, &self.search)).sigma
+    }
+
     pub(super) fn has_adequate_terms(&self) -> bool {
         let stepwise = self.stepwise.as_ref();
         stepwise.is_some_and(|stepwise| stepwise.is_adequate)
@@ -234,7 +240,7 @@ impl<'a> Analysis<'a> {
         let Some(best) = best.filter(|best| best.is_overflexible(model)) else {
             return Ok((None, None));
         };
-        let noise = self.search.noise.overall();
+        let noise = self.noise();
         if model.context.is_out_of_time() {
             return Ok((None, None));
         }
@@ -272,11 +278,12 @@ impl<'a> Analysis<'a> {
             let extension = best.extension(&self.model)?;
             return Ok(Some(ChosenExtension::unfitted(extension)));
         }
-        let (model, search) = (&self.model, &self.search);
         let Some(mut stepwise) = self.stepwise.take() else {
             return Ok(None);
         };
-        let count = predictive_terms(context, &stepwise, search.noise.overall())?;
+        let noise = self.noise();
+        let (model, search) = (&self.model, &self.search);
+        let count = predictive_terms(context, &stepwise, noise)?;
         stepwise.keep_first(count);
         let histories = match context.is_out_of_time() {
             true => Vec::new(),

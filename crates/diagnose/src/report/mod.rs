@@ -12,7 +12,7 @@ pub(crate) use extension::{
     add_alternative, add_extension, note_not_applied, use_clustered_errors,
 };
 pub(crate) use narrative::{refused, summary};
-pub(crate) use report_builder::{build_report, unattributed_report};
+pub(crate) use report_builder::{build_report, noise, unattributed_report};
 pub(crate) use residuals::{
     add_residuals, describe_departures, display_names, note_incomplete, note_not_offered,
     withdraw_by_doubts, withdraw_by_excess, withdraw_inadequate, withdraw_stand_ins,

@@ -103,9 +103,9 @@ pub(super) fn add_share(explanation: &mut Explanation, residuals: &LackOfFit) {
         residuals.beyond_noise_m * (1.0 - explanation.explained_fraction).sqrt();
 }
 
-/// Noise as in the fit of the model under test; that of the positions is estimated by the search, or is the noise floor
-/// of the residuals if the candidates leave much more.
-fn noise(
+/// Noise as estimated by the search, or the noise floor of the residuals if the candidates leave much more; the rest as in
+/// the fit of the model under test.
+pub(crate) fn noise(
     (before, residuals): (&Fit, Option<&LackOfFit>),
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -121,11 +121,14 @@ fn noise(
     let mut noise = before.report.noise.clone();
     let floor = residuals.map(|own| &own.noise);
     let is_inflated = |floor: &&NoiseModel| search.noise.overall() > INFLATED * floor.overall();
-    let of_positions = floor.filter(is_inflated).unwrap_or(&search.noise);
-    let of_positions = model.problem.position_noise(of_positions);
+    let found = floor.filter(is_inflated).unwrap_or(&search.noise);
+    for (kind, [sigma, ar1]) in model.problem.noise_by_kind(found) {
+        if let Some(own) = noise.get_mut(kind) {
+            own.sigma = sigma;
+            own.lag1_autocorrelation = ar1;
+        }
+    }
     if let Some(positions) = noise.get_mut(MARKER) {
-        positions.sigma = of_positions.overall();
-        positions.lag1_autocorrelation = of_positions.ar1.iter().sum::<f64>() / 3.0;
         positions.outlier_fraction = outliers as f64 / points.max(1) as f64;
     }
     noise

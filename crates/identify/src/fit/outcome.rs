@@ -12,7 +12,6 @@ use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square
 use super::reweighting::Reweighted;
 use super::state::State;
 use super::{FitError, filtered, flight_error, marker_distances, solve_error, summary_noise};
-use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
 use crate::least_squares::{ReducedSystem, StoppingCriteria, eliminate, solve};
@@ -21,8 +20,8 @@ use crate::observations::Observations;
 use crate::predict::{Loss, Residuals};
 use crate::problem::FitProblem;
 use crate::report::{
-    ATTITUDE, AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations,
-    MARKER, NoiseReport, Profile, ResidualPool, Rms, SeenValue, SensorReport,
+    AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations, MARKER,
+    NoiseReport, POSITION, Profile, ResidualPool, Rms, SeenValue, SensorReport,
 };
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
 use dataset::AXES;
@@ -150,13 +149,9 @@ fn correlations(
 fn sensors(problem: &FitProblem, noise: &NoiseModel, sums: &[ChannelSum]) -> Vec<SensorReport> {
     let channels = problem.channels.iter().enumerate().zip(sums);
     let sensors = channels.filter_map(|((index, own), sum)| {
-        let measures = match own.kind {
-            ChannelKind::Marker(_) => return None,
-            ChannelKind::Position => "position",
-            ChannelKind::Attitude => ATTITUDE,
-            ChannelKind::Instrument(place) => problem.instruments[place].0.name(),
-            ChannelKind::Summary(_) => own.summary()?,
-        };
+        let measures = problem
+            .measures(own)
+            .filter(|measures| *measures != MARKER)?;
         let noise = noise.of(index);
         Some(SensorReport {
             name: own.name.clone(),
@@ -182,25 +177,22 @@ fn noise_by_kind(
     if state.problem.sees_positions() {
         by_kind.insert(MARKER.to_owned(), noise_report(state, noise));
     }
-    let others = sensors
-        .iter()
-        .filter(|sensor| sensor.measures != "position");
+    let others = sensors.iter().filter(|sensor| sensor.measures != POSITION);
     let kinds: BTreeSet<&str> = others.map(|sensor| &*sensor.measures).collect();
     let channel = |kind: &str| {
         let mut channels = state.problem.channels.iter();
         channels.find(|own| own.summary() == Some(kind))
     };
+    let means = state.problem.noise_by_kind(noise);
     for kind in kinds {
         let own: Vec<&SensorReport> = sensors.iter().filter(|s| s.measures == kind).collect();
-        let count = own.len() as f64;
-        let squares: f64 = own.iter().map(|s| s.sigma * s.sigma).sum();
-        let correlations: f64 = own.iter().map(|s| s.lag1_autocorrelation).sum();
+        let [sigma, lag1_autocorrelation] = means[kind];
         let points = own.iter().map(|s| s.points).sum();
         let outliers = own.iter().map(|s| s.outliers).sum();
         let report = NoiseReport {
-            sigma: (squares / count).sqrt(),
+            sigma,
             unit: own[0].unit.clone(),
-            lag1_autocorrelation: correlations / count,
+            lag1_autocorrelation,
             estimated: channel(kind).is_none_or(|own| own.sigma.is_none()),
             interval_s: noise.interval,
             points,

@@ -3,13 +3,12 @@
 use nalgebra::DVector;
 
 use super::residual_cache::Path;
-use crate::channel::ChannelKind;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
 use crate::predict::{Residuals, states};
 use crate::problem::FitProblem;
-use crate::report::{ATTITUDE, FlightEvidence, MARKER, ResidualPool, SensorEvidence, SquareSums};
+use crate::report::{FlightEvidence, ResidualPool, SensorEvidence, SquareSums};
 
 /// Residual statistics of one flight, and the ranges of the states and auxiliary variables.
 pub struct PostFit {
@@ -56,16 +55,8 @@ pub fn channel_sums(
 pub fn square_sums(problem: &FitProblem, channels: &[ChannelSum]) -> SquareSums {
     let mut sums = SquareSums::default();
     for (index, (sum, own)) in channels.iter().zip(&problem.channels).enumerate() {
-        let kind = match own.kind {
-            ChannelKind::Marker(_) => MARKER,
-            ChannelKind::Position if problem.is_scored(index) => MARKER,
-            ChannelKind::Position => continue,
-            ChannelKind::Attitude => ATTITUDE,
-            ChannelKind::Instrument(place) => problem.instruments[place].0.name(),
-            ChannelKind::Summary(_) => match own.summary() {
-                Some(name) => name,
-                None => continue,
-            },
+        let Some(kind) = problem.kind(index) else {
+            continue;
         };
         let unit = (own.unit, own.to_si.abs());
         sums.add(kind, unit, sum.squares, own.components * sum.count);

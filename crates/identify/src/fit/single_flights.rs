@@ -9,6 +9,7 @@ use super::initial_guess::{first_segment, observations_and_poses, spin_note};
 use super::output_error::FixedGlobal;
 use super::residual_cache::{ResidualCache, exclude_failed};
 use super::reweighting::{Reweighted, reweight};
+use super::starts::distinct;
 use super::state::State;
 use super::{FitError, restarts};
 use crate::error::{ExcludedFlight, FaultKind, FlightError};
@@ -87,38 +88,35 @@ fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64
     Some((local, note))
 }
 
-/// Fits the initial state of one flight from each of its guesses, extending the fitted part step by step. Returns the
-/// smallest residual scale, m, its initial state and number of additional turns.
+/// Fits the initial state of one flight from its guesses over a short initial segment, which is doubled until it is the whole
+/// flight; guesses that lead to one motion are followed once. Returns the residual scale, m, of the best initial state, this
+/// state and its number of additional turns.
 fn fly_to_the_end(
     at: FixedGlobal<'_>,
     observations: &Observations,
 ) -> Option<(f64, DVector<f64>, i32)> {
-    let samples = observations.times.len();
-    let guesses = restarts::initial_guesses(at, observations).ok()?;
-    let fitted = guesses.into_iter().filter_map(|guess| {
-        let local = continue_horizon(at, observations, guess.state)?;
-        let scale = at.residual_scale(observations, &local, samples)?;
-        Some((scale, local, guess.turns))
-    });
-    fitted.min_by(|a, b| a.0.total_cmp(&b.0))
-}
-
-/// Fits a short initial segment, which is doubled until it is the whole flight; `None` if a fit fails.
-fn continue_horizon(
-    at: FixedGlobal<'_>,
-    observations: &Observations,
-    start: DVector<f64>,
-) -> Option<DVector<f64>> {
     let all = observations.times.len();
+    let guesses = restarts::initial_guesses(at, observations).ok()?;
+    let mut followed: Vec<(DVector<f64>, i32)> = guesses
+        .into_iter()
+        .map(|own| (own.state, own.turns))
+        .collect();
     let mut samples = first_segment(observations);
-    let mut local = start;
     loop {
-        local = at.fit_initial_state(observations, samples, local).ok()?.1;
+        let fitted = followed.into_iter().filter_map(|(start, turns)| {
+            let (squares, local) = at.fit_initial_state(observations, samples, start).ok()?;
+            Some((squares, local, turns))
+        });
+        let distinct = distinct(&at.problem.model, fitted.collect());
+        followed = distinct.map(|(_, local, turns)| (local, turns)).collect();
         if samples == all {
-            return Some(local);
+            break;
         }
         samples = (2 * samples).min(all);
     }
+    let (local, turns) = followed.into_iter().next()?;
+    let scale = at.residual_scale(observations, &local, all)?;
+    Some((scale, local, turns))
 }
 
 /// Excludes a minority of flights whose residuals remain far above those of the others, even if these are fitted alone.

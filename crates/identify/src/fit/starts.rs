@@ -39,9 +39,11 @@ const EXCHANGED: usize = 3;
 /// at their best initial states. Flights of one instrument determine the minimum only all together.
 const SEARCHED: usize = 4;
 
-/// Duration of the first part of a flight, s, over which all its guesses are fitted, and number of those that are fitted to
-/// the whole flight: most guesses lead to few motions.
-const FIRST_PART: (f64, usize) = (0.4, 8);
+/// Duration of the first part of a flight, s, over which all its guesses are fitted.
+const FIRST_PART: f64 = 0.4;
+
+/// Number of initial states that are followed to the end of a flight: most guesses lead to few motions.
+const FOLLOWED: usize = 8;
 
 /// Fits that arrived from several starts, with their residuals, and the first error of another start.
 #[derive(Default)]
@@ -265,7 +267,7 @@ fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
         let present = present.map_or(f64::INFINITY, |(squares, _)| squares);
         let mut least = present - SAME_MINIMUM * sigma0 * sigma0;
         let mut best = None;
-        for (of_part, other) in distinct(at, observations, guesses.of(state.ids[flight]), least) {
+        for (of_part, other) in begun(at, observations, guesses.of(state.ids[flight]), least) {
             // The sum of squares of a whole flight is at least that of its first part.
             if of_part >= least {
                 break;
@@ -287,30 +289,39 @@ fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
     has_moved
 }
 
-/// Initial states to which guesses lead over the first part of a flight, each once, with their sums of squares there, the
-/// least first; the best ones, and none that gets no sum of squares below `below` soon.
-fn distinct(
+/// Initial states to which guesses lead over the first part of a flight, with their sums of squares there: the distinct ones,
+/// and none that gets no sum of squares below `below` soon.
+fn begun(
     at: FixedGlobal<'_>,
     observations: &Observations,
     guesses: &[InitialGuess],
     below: f64,
-) -> Vec<(f64, DVector<f64>)> {
-    let model = &at.problem.model;
-    let samples = observations.samples_until(observations.times[0] + FIRST_PART.0);
+) -> impl Iterator<Item = (f64, DVector<f64>)> {
+    let samples = observations.samples_until(observations.times[0] + FIRST_PART);
     let begun = guesses.iter().filter_map(|guess| {
-        at.fit_initial_state_below(observations, samples, guess.state.clone(), below)
-            .ok()
+        let start = guess.state.clone();
+        let (squares, local) = at
+            .fit_initial_state_below(observations, samples, start, below)
+            .ok()?;
+        Some((squares, local, ()))
     });
-    let mut begun: Vec<(f64, DVector<f64>)> = begun.collect();
-    begun.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut found: Vec<(f64, DVector<f64>)> = Vec::new();
-    for (squares, state) in begun {
-        let is_same = |(_, other): &(f64, DVector<f64>)| are_same(model, (&state, other));
-        if found.len() < FIRST_PART.1 && !found.iter().any(is_same) {
-            found.push((squares, state));
+    distinct(&at.problem.model, begun.collect()).map(|(squares, local, ())| (squares, local))
+}
+
+/// Initial states with their sums of squares, each once, the least first: at most [`FOLLOWED`].
+pub(super) fn distinct<T>(
+    model: &Model,
+    mut states: Vec<(f64, DVector<f64>, T)>,
+) -> impl Iterator<Item = (f64, DVector<f64>, T)> + use<T> {
+    states.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut found: Vec<(f64, DVector<f64>, T)> = Vec::new();
+    for own in states {
+        let is_same = |other: &(f64, DVector<f64>, T)| are_same(model, (&own.1, &other.1));
+        if found.len() < FOLLOWED && !found.iter().any(is_same) {
+            found.push(own);
         }
     }
-    found
+    found.into_iter()
 }
 
 #[cfg(test)]

@@ -1,7 +1,11 @@
 //! Noise groups of the channels of a problem, and the noise of each group by the residuals.
 
+use std::collections::BTreeMap;
+
 use super::FitProblem;
+use crate::channel::{Channel, ChannelKind};
 use crate::noise::{AxesNoise, Moments, NoiseModel, group_count};
+use crate::report::{ATTITUDE, MARKER, POSITION};
 use crate::rounding;
 
 impl FitProblem {
@@ -47,7 +51,7 @@ impl FitProblem {
 
     /// Noise of the positions together, or of all channels without positions: by axis, the root mean square of their
     /// standard deviations, m, and the mean of their autocorrelations.
-    pub fn position_noise(&self, noise: &NoiseModel) -> AxesNoise {
+    pub(crate) fn position_noise(&self, noise: &NoiseModel) -> AxesNoise {
         let scored = (0..self.channels.len()).filter(|channel| self.is_scored(*channel));
         let count = scored.clone().count().max(1) as f64;
         let mean = |of: &dyn Fn(&AxesNoise) -> f64| {
@@ -62,5 +66,44 @@ impl FitProblem {
             ar1: [0, 1, 2].map(|axis| mean(&|own| own.ar1[axis])),
             interval: noise.interval,
         }
+    }
+
+    /// What a channel measures, as reports name it; `None` of a summary that is not compared with its prediction.
+    pub(crate) fn measures(&self, channel: &Channel) -> Option<&'static str> {
+        match channel.kind {
+            ChannelKind::Marker(_) => Some(MARKER),
+            ChannelKind::Position => Some(POSITION),
+            ChannelKind::Attitude => Some(ATTITUDE),
+            ChannelKind::Instrument(place) => Some(self.instruments[place].0.name()),
+            ChannelKind::Summary(_) => channel.summary(),
+        }
+    }
+
+    /// Kind of sensor with which reports count a channel: positions of poses with markers, or not at all next to them.
+    pub(crate) fn kind(&self, channel: usize) -> Option<&'static str> {
+        match self.measures(&self.channels[channel])? {
+            POSITION => self.is_scored(channel).then_some(MARKER),
+            kind => Some(kind),
+        }
+    }
+
+    /// Standard deviation, in the unit of the sensor, and lag-1 autocorrelation of the noise of each kind of sensor: the
+    /// root mean square and the mean of its channels.
+    pub fn noise_by_kind(&self, noise: &NoiseModel) -> BTreeMap<&'static str, [f64; 2]> {
+        let mut sums: BTreeMap<&str, [f64; 3]> = BTreeMap::new();
+        for (index, channel) in self.channels.iter().enumerate() {
+            let Some(kind) = self.kind(index) else {
+                continue;
+            };
+            let own = noise.of(index);
+            let sum = sums.entry(kind).or_default();
+            sum[0] += (own.overall() / channel.scale).powi(2);
+            sum[1] += own.ar1.iter().sum::<f64>() / 3.0;
+            sum[2] += 1.0;
+        }
+        let sums = sums.into_iter();
+        let means = sums
+            .map(|(kind, [squares, ar1, count])| (kind, [(squares / count).sqrt(), ar1 / count]));
+        means.collect()
     }
 }

@@ -94,6 +94,9 @@ pub struct Iterations {
 /// Kind of sensor of measured positions: of markers or, without them, of pose sensors.
 pub const MARKER: &str = "marker";
 
+/// What the positions of pose sensors are called among what is measured.
+pub(crate) const POSITION: &str = "position";
+
 /// Key of the attitudes of poses in the maps by kind of sensor.
 pub(crate) const ATTITUDE: &str = "attitude";
 

@@ -171,7 +171,7 @@ impl<'d> FreeInstruments<'d> {
         let own = self.accelerometer.zip(self.other_place());
         own.map_or_else(Vec::new, |((sensor, channel, _), (place, _))| {
             let detail = format!(
-                "{} does not seem to sit at its position: only at {place} do its readings show a force that turns slowly",
+                "{} does not seem to sit at its position, or is turned on the body: only at {place} do its readings show a force that turns slowly",
                 sensor.name
             );
             let correction = "correct its position, or state `position = \"unknown\"` for it";

@@ -2,11 +2,12 @@
 //! momentum slowly, and a flat body is thrown spinning about its third axis.
 
 use flight::throw::ThrownModel;
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 use super::momentum::{is_clearly_better, momenta, unsteadiness};
 use super::readings::{of_flights, sensors, series};
 use crate::error::{DataFault, FaultKind};
+use crate::levels::AS_GOOD;
 use crate::problem::FitProblem;
 use dataset::{Dataset, Reading, SensorKind, attitude};
 
@@ -36,7 +37,7 @@ pub fn check(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
             inertia: &inertia,
         };
         let found = attitudes.body_axes(problem);
-        let found = found.or_else(|| attitudes.convention());
+        let found = found.or_else(|| attitudes.convention(problem));
         let found = found.map(|message| (FaultKind::AttitudeConvention, message));
         found.map_or_else(Vec::new, |found| of_flights(dataset, channel, found))
     });
@@ -73,26 +74,53 @@ struct Attitudes<'a> {
 
 impl Attitudes<'_> {
     fn unsteadiness(&self, read: Read) -> Option<f64> {
+        self.unsteadiness_with(read, self.inertia)
+    }
+
+    fn unsteadiness_with(&self, read: Read, inertia: &Matrix3<f64>) -> Option<f64> {
         let poses = |flight| {
             series(flight, self.channel).map(move |(time, own)| (time, attitude(read(own))))
         };
         let flights = self.dataset.flights.iter();
-        unsteadiness(flights.map(|flight| momenta(poses(flight), self.inertia)))
+        unsteadiness(flights.map(|flight| momenta(poses(flight), inertia)))
+    }
+
+    /// Successive attitudes of each flight.
+    fn flights(
+        &self,
+        read: Read,
+    ) -> impl Iterator<Item = impl Iterator<Item = UnitQuaternion<f64>>> {
+        let attitudes =
+            move |flight| series(flight, self.channel).map(move |(_, own)| attitude(read(own)));
+        self.dataset.flights.iter().map(attitudes)
     }
 
     /// Axis about which the body spins.
     fn spin_axis(&self, read: Read) -> Option<usize> {
-        let attitudes =
-            |flight| series(flight, self.channel).map(move |(_, own)| attitude(read(own)));
-        dataset::spin_axis(self.dataset.flights.iter().map(attitudes))
+        dataset::spin_axis(self.flights(read))
+    }
+
+    /// How unsteady the angular momentum is if the body spins about its own axis, from which those of the poses are tilted.
+    fn unsteadiness_if_tilted(&self, problem: &FitProblem) -> Option<f64> {
+        let (_, axes) = problem.model.flight_axes()?;
+        let own = Vector3::ith(usize::from(axes.spin.number) - 1, 1.0);
+        let spin = dataset::turned(self.flights(|own| own));
+        let tilt = Rotation3::rotation_between(&own, &(spin.dot(&own).signum() * spin))?;
+        let inertia = tilt * self.inertia * tilt.inverse();
+        self.unsteadiness_with(|own| own, &inertia)
     }
 
     /// Message and correction for another convention of quaternions; `None` if the angular momentum does not tell.
-    fn convention(&self) -> Option<(String, String)> {
+    fn convention(&self, problem: &FitProblem) -> Option<(String, String)> {
         let stated = self.unsteadiness(|own| own)?;
         let tried = CONVENTIONS.iter();
         let tried = tried.filter_map(|own| Some((self.unsteadiness(own.0)?, own)));
         let (best, (_, what, correction)) = tried.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        // Tilted axes are estimated.
+        let is_tilted = |left| left < AS_GOOD * best;
+        if self.unsteadiness_if_tilted(problem).is_some_and(is_tilted) {
+            return None;
+        }
         is_clearly_better(best, stated).then(|| {
             (
                 format!(

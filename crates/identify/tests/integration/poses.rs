@@ -89,3 +89,22 @@ fn attitudes_in_a_turned_frame_are_estimated_or_named() {
     };
     assert_eq!(told(negated, 0.0), "change the sign of tag_z");
 }
+
+#[test]
+fn tilted_axes_of_poses_are_estimated_and_no_other_convention() {
+    let model = model_spec::load::load("disc", &["template_tilt"]).expect("built in");
+    for degrees in [10.0_f64, 30.0] {
+        let tilt = UnitQuaternion::from_scaled_axis(Vector3::x() * degrees.to_radians());
+        let mut dataset = tracked(&model, Vector3::zeros(), 0.0);
+        let rows = dataset.flights.iter_mut().flat_map(|own| &mut own.readings);
+        for own in rows.flat_map(|row| &mut row[1]) {
+            let [x, y, z, w] = (dataset::attitude(*own) * tilt).coords.into();
+            *own = [w, x, y, z];
+        }
+        let found = fit(&model, &dataset, &FitOptions::default()).expect("a fit");
+        let found = &found.report.coefficients["tilt_1"];
+        let expected = 2.0 * f64::tan(degrees.to_radians() / 2.0);
+        let error = (found.value - expected).abs();
+        assert!(error < 4.0 * found.std_error, "{degrees}: {found:?}");
+    }
+}
