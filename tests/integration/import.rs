@@ -236,6 +236,19 @@ fn a_free_flight_is_not_cut() {
 }
 
 #[test]
+fn a_wrong_unit_of_length_is_told_by_the_template() {
+    for length in ["mm", "cm", "in", "ft"] {
+        let around = tempfile::tempdir().expect("a folder");
+        let mut command = hyzer();
+        command.args(["import", "examples/disc/flight01.csv", "--time", "s"]);
+        command.args(["--up", "+z", "--length", length, "--markers", TEMPLATE]);
+        let (status, _, errors) = told(command.arg("--out").arg(around.path().join("made")));
+        assert_eq!(status, 2, "{length}: {errors}");
+        assert!(errors.contains("--length m\n"), "{length}: {errors}");
+    }
+}
+
+#[test]
 fn what_is_not_known_is_asked_for_and_nothing_is_written() {
     const TAKE: &str = "examples/disc/flight01.csv";
     let cases: [(&[&str], &str); 10] = [

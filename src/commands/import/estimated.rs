@@ -60,7 +60,7 @@ pub fn estimated(
     }
     ensure!(
         !thrown.is_empty(),
-        "{} to estimate the template from, or a template by --markers\n  {}",
+        "{} to estimate the template from, or a template by --markers; check --length and --up\n  {}",
         no_throw(),
         reasons.join("\n  ")
     );

@@ -150,7 +150,11 @@ pub(crate) fn imported(options: &Import) -> anyhow::Result<Imported> {
         }
     }
     let decisions = found.decisions;
-    ensure!(!found.flights.is_empty(), "{}\n{decisions}", no_throw());
+    ensure!(
+        !found.flights.is_empty(),
+        "{}; check --length and --up\n{decisions}",
+        no_throw()
+    );
     dataset.flights = found.flights;
     dataset.parameters = template.parameters;
     match found.pose {

@@ -9,13 +9,19 @@ use super::{
     rotated,
 };
 use crate::sensor::{attitude, spin_axis};
+use crate::statistics::median_of;
 use crate::takes::{Fault, Location};
 use crate::{Flight, Marker};
 use flight::table::listed;
+use nalgebra::Vector3;
 
 /// Acceleration downwards of free flights, over that of gravity, by which an axis up or a unit of length is recognised: lift
 /// bears most of the weight of a disc, and units differ by a factor of 2.5 at least.
 const FALLS: std::ops::Range<f64> = 0.2..1.3;
+
+/// Relative difference of distances between markers from those of the template up to which a unit of length is that of the
+/// recording: less than half of that of the nearest unit.
+const AS_IN_TEMPLATE: f64 = 0.3;
 
 /// What the user states about the recordings of a body.
 #[derive(Clone, Debug, Default)]
@@ -70,10 +76,11 @@ impl ImportedTake {
         let labels = followed.labels(take);
         let mut turned = take.clone().with_z_up(up, options.left_handed);
         let found = find_throws(&turned, &labels, &ThrowOptions::default());
-        if found.throws.is_empty()
-            && let Some(error) = found_otherwise(take, file, &labels, (up, options.left_handed))
-        {
-            return Err(error);
+        if found.throws.is_empty() {
+            let error = unit_by_template(take, &followed, options)
+                .map(|fault| TakeError::new(file, fault))
+                .or_else(|| found_otherwise(take, file, &labels, (up, options.left_handed)));
+            error.map_or(Ok(()), Err)?;
         }
         let mut notes = take.notes.clone();
         if followed.is_pose() {
@@ -178,6 +185,42 @@ pub fn found_otherwise(
     let own = take.length;
     let found = format!("no throw with lengths in {own}, and free flights with lengths in {names}");
     (!others.is_empty()).then(|| TakeError::new(file, fault(found, correction)))
+}
+
+/// Fault that tells the unit of length in which the markers of a recording are as far apart as in the template; `None` if
+/// they are so in the present one, or in none.
+fn unit_by_template(take: &Take, followed: &Followed, options: &ImportOptions) -> Option<Fault> {
+    let places: Vec<Option<[f64; 3]>> = options
+        .markers
+        .iter()
+        .map(|own| Some(own.position))
+        .collect();
+    let template = size(&places)?;
+    let sizes = (0..take.times.len()).filter_map(|sample| size(&followed.positions(take, sample)));
+    let seen = median_of(sizes)? / template;
+    let fits = |unit: &LengthUnit| {
+        let ratio = seen * unit.metres() / take.length.metres();
+        (ratio - 1.0).abs() < AS_IN_TEMPLATE
+    };
+    let other = LengthUnit::all()
+        .find(fits)
+        .filter(|unit| *unit != take.length)?;
+    // Two digits.
+    let times: f64 = format!("{seen:.1e}").parse().unwrap_or(seen);
+    let own = take.length;
+    let found =
+        format!("markers {times} times as far apart as in the template with lengths in {own}");
+    Some(fault(found, format!("--length {other}")))
+}
+
+/// Mean distance of all markers from their mean, m; `None` if one is not seen, or all are at one place.
+fn size(places: &[Option<[f64; 3]>]) -> Option<f64> {
+    let places = places.iter().map(|own| own.map(Vector3::from));
+    let places: Vec<Vector3<f64>> = places.collect::<Option<_>>()?;
+    let count = places.len() as f64;
+    let mean = places.iter().sum::<Vector3<f64>>() / count;
+    let size = places.iter().map(|own| (own - mean).norm()).sum::<f64>() / count;
+    (size > 0.0).then_some(size)
 }
 
 /// First axis other than `up` with which throws are found when it points up.

@@ -239,6 +239,10 @@ impl Report {
             input_noise(&before.report),
             caution(is_refuted, "the extended model fails an independent check"),
             caution(
+                self.verdict == Verdict::Unattributed,
+                "what the model lacks is attributed to no effect: the coefficients may be off by far more than their standard errors",
+            ),
+            caution(
                 self.lack_remains(),
                 "the residuals are not noise with what was found either: it is at best a part of what is missing",
             ),
