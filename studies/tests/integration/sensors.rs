@@ -108,6 +108,25 @@ fn misread(
     }
 }
 
+/// Checks that a diagnosis names `effect` alone, with the value of its coefficient, where an instrument is misread.
+fn assert_named(
+    (instrument, effect): (usize, &str),
+    (coefficient, expected): (String, f64),
+    change: impl Fn(Vector3<f64>) -> Vector3<f64>,
+) {
+    let set = observed(true, inertial(), [0.0; 3]);
+    let mut dataset = sensor_flights(&disc(), &PLAN, &set, 7);
+    misread(&mut dataset, instrument, change);
+    let found = diagnose(&disc(), &dataset, &DiagnosisOptions::default());
+    let report = found.expect("a diagnosis").report;
+    let effects = &report.explanations[0].effects;
+    assert_eq!(effects.len(), 1, "{}", report.summary);
+    assert_eq!(effects[0].name, effect, "{}", report.summary);
+    let found = &effects[0].estimates[&coefficient];
+    let error = (found.value - expected).abs();
+    assert!(error < MAX_Z * found.std_error, "{expected}: {found:?}");
+}
+
 #[test]
 fn an_instrument_that_is_turned_about_any_axis_is_named() {
     let of_names = [
@@ -116,20 +135,28 @@ fn an_instrument_that_is_turned_about_any_axis_is_named() {
     ];
     for (instrument, (name, coefficient)) in of_names.into_iter().enumerate() {
         for (axis, angle) in [(0, 0.05), (2, 0.1), (2, 1.2)] {
-            let set = observed(true, inertial(), [0.0; 3]);
-            let mut dataset = sensor_flights(&disc(), &PLAN, &set, 7);
-            let unit = Vector3::ith_axis(axis);
-            let turn = Rotation3::from_axis_angle(&unit, angle);
-            misread(&mut dataset, instrument, |read| turn.inverse() * read);
-            let found = diagnose(&disc(), &dataset, &DiagnosisOptions::default());
-            let report = found.expect("a diagnosis").report;
-            let effects = &report.explanations[0].effects;
-            assert_eq!(effects.len(), 1, "{}", report.summary);
-            assert_eq!(effects[0].name, name, "{}", report.summary);
-            let found = &effects[0].estimates[&format!("{coefficient}_{}", axis + 1)];
-            let expected = 2.0 * f64::tan(angle / 2.0);
-            let error = (found.value - expected).abs();
-            assert!(error < MAX_Z * found.std_error, "{expected}: {found:?}");
+            let turn = Rotation3::from_axis_angle(&Vector3::ith_axis(axis), angle);
+            let coefficient = format!("{coefficient}_{}", axis + 1);
+            let expected = (coefficient, 2.0 * f64::tan(angle / 2.0));
+            assert_named((instrument, name), expected, |read| turn.inverse() * read);
+        }
+    }
+}
+
+#[test]
+fn a_wrong_scale_of_any_axis_of_an_instrument_is_named() {
+    let of_names = [
+        ("gyroscope-scale", "gyro_scale"),
+        ("accelerometer-scale", "force_scale"),
+    ];
+    for (instrument, (name, coefficient)) in of_names.into_iter().enumerate() {
+        for axis in [0, 2] {
+            let mut scale = Vector3::repeat(1.0);
+            scale[axis] = 1.04;
+            let expected = (format!("{coefficient}_{}", axis + 1), 0.04);
+            assert_named((instrument, name), expected, |read| {
+                read.component_mul(&scale)
+            });
         }
     }
 }

@@ -2,12 +2,12 @@
 //! it only where they are exchanged back, and delayed ones where they are shifted back.
 
 use model_spec::compose::Instrument;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::channel::ChannelKind;
-use crate::levels::{MAX_DELAY, is_clear};
+use crate::levels::{AS_GOOD, MAX_DELAY, is_clear};
 use crate::screening::SignedAxes;
 use dataset::statistics::median_of;
 
@@ -36,6 +36,7 @@ pub fn exchanged(state: &State<'_>, cache: &ResidualCache) -> Vec<String> {
         // A delay turns what rotates with the body, too.
         if let Some((delay, left)) = delay(&flights)
             && axes.is_none_or(|(_, other)| left < other)
+            && left < AS_GOOD * if_turned(&flights)
         {
             return Some(format!(
                 "{} follows the motion of the body only if it is about {:.3} s {}: correct its times",
@@ -106,6 +107,20 @@ fn better_axes(flights: &[Readings]) -> Option<(SignedAxes, f64)> {
     let of_changed = count * changed.clone().count();
     is_clear(sum(&as_they_are) / sum(&found), of_changed as f64)
         .then_some((*axes, found.sum() / count as f64))
+}
+
+/// Mean square that the readings leave if they are turned by what brings them nearest to the prediction.
+fn if_turned(flights: &[Readings]) -> f64 {
+    let (mut products, mut squares, mut count) = (Matrix3::zeros(), 0.0, 0.0);
+    for [predicted, measured] in flights.iter().flat_map(|own| &own.0) {
+        products += predicted * measured.transpose();
+        squares += predicted.norm_squared() + measured.norm_squared();
+        count += 1.0;
+    }
+    let along = products.singular_values();
+    // The best rotation: a mirror image may be nearer.
+    let least = products.determinant().signum() * along[2];
+    (squares - 2.0 * (along[0] + along[1] + least)) / count
 }
 
 /// Delay of the readings, s, with which they are clearly nearer to the prediction, and the mean square that it leaves.
