@@ -97,8 +97,7 @@ fn collected(
     for node in graph.reachable(&arguments) {
         if let Node::Call(MathFunction::Sin | MathFunction::Cos, phase) = *graph.node(node) {
             let moves = motion.of(graph, phase);
-            // What the state turns, gusts above all, the steps follow.
-            if moves.by_time && !moves.by_state && !arguments.contains(&phase) {
+            if (moves.by_time || moves.by_state) && !arguments.contains(&phase) {
                 arguments.push(phase);
                 switches.push(Switch {
                     levels: Vec::new(),

@@ -186,6 +186,25 @@ pub fn depends_on_accelerations(model: &Model) -> Vec<bool> {
     depending_on(model, is_acceleration)
 }
 
+/// For each auxiliary variable, and for each equation of a system, whether it depends on an unknown of the system, or on
+/// accelerations, which may.
+pub fn depending_on_unknown(
+    model: &Model,
+    system: usize,
+    unknown: usize,
+) -> (Vec<bool>, Vec<bool>) {
+    let is_unknown = |kind: &ExprKind| {
+        let own = matches!(kind, ExprKind::Unknown(s, k) if (*s, *k) == (system, unknown));
+        own || is_acceleration(kind)
+    };
+    let variables = depending_on(model, is_unknown);
+    let equations = model.systems[system].equations.iter();
+    let equations = equations
+        .map(|e| depends(e, &variables, &is_unknown))
+        .collect();
+    (variables, equations)
+}
+
 /// For each auxiliary variable, whether one of the expressions depends on it.
 pub fn needed(model: &Model, of: &[&Expr]) -> Vec<bool> {
     let mut needed = vec![false; model.aux_variables.len()];

@@ -2,7 +2,7 @@
 
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyList;
+use pyo3::types::{PyList, PyMapping, PyTuple};
 
 use crate::errors::input;
 
@@ -125,7 +125,10 @@ pub fn in_order<'py>(
         return Ok(PyList::new(array.py(), rows.collect::<PyResult<Vec<_>>>()?)?.into_any());
     }
     let Some(labels) = labels(array)? else {
-        return Ok(array.clone());
+        return match array.is_exact_instance_of::<PyArrayDyn<f64>>() {
+            true => Ok(array.clone()),
+            false => of_mapping(array, what, names),
+        };
     };
     let is_name = |label: &Option<String>| label.as_ref().is_some_and(|own| names.contains(own));
     let at = |name: &String| labels.iter().position(|label| label.as_ref() == Some(name));
@@ -147,6 +150,34 @@ pub fn in_order<'py>(
         "take",
         (numpy.call_method1("asarray", (array,))?, order, -1),
     )
+}
+
+/// The values of a mapping in the order of `names`, along the last axis; anything else as it is.
+fn of_mapping<'py>(
+    values: &Bound<'py, PyAny>,
+    what: &str,
+    names: &[String],
+) -> PyResult<Bound<'py, PyAny>> {
+    let Ok(mapping) = values.cast::<PyMapping>() else {
+        return Ok(values.clone());
+    };
+    let has = |name: &String| mapping.contains(name).unwrap_or(false);
+    if mapping.len()? != names.len() || !names.iter().all(has) {
+        let found: Vec<String> = { mapping.keys()?.iter() }
+            .map(|key| key.to_string())
+            .collect();
+        return Err(input(format!(
+            "{what} has the names {}, expected {}",
+            found.join(", "),
+            names.join(", ")
+        )));
+    }
+    let columns: Vec<_> = { names.iter() }
+        .map(|name| mapping.get_item(name))
+        .collect::<PyResult<_>>()?;
+    let numpy = values.py().import("numpy")?;
+    let columns = numpy.call_method1("broadcast_arrays", PyTuple::new(values.py(), columns)?)?;
+    numpy.call_method1("stack", (columns, -1))
 }
 
 /// A vector with a number for each of `names`, or several as the rows of an array; all numbers are finite.

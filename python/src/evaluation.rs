@@ -10,9 +10,14 @@ use crate::array::{Rows, array, points, rows, times};
 use crate::batch::Batch;
 use crate::errors::input;
 use crate::model::Model;
+use crate::work::cancelled;
 
 /// Least number of states for which SIMD lanes are faster.
 const MIN_BATCH: usize = 16;
+/// Number of rows between two looks for signals: less than a tenth of a second, and far longer than a look.
+const WATCHED: usize = 1024;
+/// The same for rows on lanes and several threads, which take a time to start.
+const WATCHED_BATCH: usize = 16_384;
 
 thread_local! {
     static WORKSPACE: RefCell<Workspace> = RefCell::default();
@@ -74,55 +79,65 @@ impl<'m, 'py> Evaluation<'m, 'py> {
     /// Evaluates a function for each row of states, into arrays of the given lengths for each row.
     fn each<const N: usize>(
         &self,
+        py: Python<'_>,
         lens: [usize; N],
         evaluate: impl Fn(EvaluationPoint<'_>, &mut Workspace, [&mut [f64]; N]),
-    ) -> [Vec<f64>; N] {
+    ) -> PyResult<[Vec<f64>; N]> {
         let count = self.x.rows.unwrap_or(1);
         let mut results = lens.map(|len| vec![0.0; len * count]);
-        WORKSPACE.with_borrow_mut(|workspace| {
-            for row in 0..count {
-                let mut lens = lens.iter();
-                let parts = results.each_mut().map(|result| {
-                    let len = lens.next().copied().unwrap_or(0);
-                    &mut result[row * len..][..len]
-                });
-                evaluate(self.at(row), workspace, parts);
+        // Taken, as what handles a signal may evaluate a model too.
+        let mut workspace = WORKSPACE.take();
+        for row in 0..count {
+            let mut lens = lens.iter();
+            let parts = results.each_mut().map(|result| {
+                let len = lens.next().copied().unwrap_or(0);
+                &mut result[row * len..][..len]
+            });
+            evaluate(self.at(row), &mut workspace, parts);
+            if row % WATCHED == WATCHED - 1 {
+                watched(py)?;
             }
-        });
-        results
+        }
+        WORKSPACE.set(workspace);
+        Ok(results)
     }
 
     /// f.
     pub fn rhs(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let n = self.model.layout.states.len();
         if self.x.rows.is_some_and(|rows| rows >= MIN_BATCH) {
-            let dx = self.batch();
+            let dx = self.batch(py)?;
             return array(py, dx, &self.x.shape(&[n]));
         }
-        let [dx] = self.each([n], |at, workspace, [dx]| {
+        let [dx] = self.each(py, [n], |at, workspace, [dx]| {
             self.functions.f(at, workspace, dx);
-        });
+        })?;
         array(py, dx, &self.x.shape(&[n]))
     }
 
     /// f of many states.
-    fn batch(&self) -> Vec<f64> {
+    fn batch(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
         let (tape, x) = (self.model.tape(), self.x.values());
         let mut dx = vec![0.0; x.len()];
         let p = match &self.own {
             Some((p, _)) => p,
             None => &self.model.layout.defaults,
         };
-        Batch {
-            tape: &tape.f.tape,
-            t: &self.t,
-            x,
-            p,
-            prepared: &tape.prepare(p),
-            dx: &mut dx,
+        let (n, prepared) = (tape.f.tape.outputs(), tape.prepare(p));
+        for (index, dx) in dx.chunks_mut(WATCHED_BATCH * n).enumerate() {
+            let first = index * WATCHED_BATCH;
+            Batch {
+                tape: &tape.f.tape,
+                t: self.t.get(first..first + dx.len() / n).unwrap_or(&self.t),
+                x: &x[first * n..][..dx.len()],
+                p,
+                prepared: &prepared,
+                dx,
+            }
+            .run();
+            watched(py)?;
         }
-        .run();
-        dx
+        Ok(dx)
     }
 
     /// J and Jp.
@@ -133,12 +148,12 @@ impl<'m, 'py> Evaluation<'m, 'py> {
         let by_state = RefCell::new(vec![0.0; patterns.jacobian.len()]);
         let by_parameter = RefCell::new(vec![0.0; patterns.parameter_jacobian.len()]);
         let lens = [n, n * n, n * width];
-        let [_, j, jp] = self.each(lens, |at, workspace, [dx, j, jp]| {
+        let [_, j, jp] = self.each(py, lens, |at, workspace, [dx, j, jp]| {
             let (mut a, mut b) = (by_state.borrow_mut(), by_parameter.borrow_mut());
             self.functions.f_jac_par(at, workspace, dx, &mut a, &mut b);
             dense(&patterns.jacobian, &a, n, j);
             dense(&patterns.parameter_jacobian, &b, width, jp);
-        });
+        })?;
         let j = array(py, j, &self.x.shape(&[n, n]))?;
         Ok((j, array(py, jp, &self.x.shape(&[n, width]))?))
     }
@@ -152,13 +167,13 @@ impl<'m, 'py> Evaluation<'m, 'py> {
             )));
         }
         let (markers, several) = points(marker, "marker")?;
-        let [y] = self.each([3 * markers.len()], |at, workspace, [y]| {
+        let [y] = self.each(marker.py(), [3 * markers.len()], |at, workspace, [y]| {
             for (marker, y) in markers.iter().zip(y.chunks_exact_mut(3)) {
                 let mut seen = [0.0; 3];
                 self.functions.observe(at, marker, workspace, &mut seen);
                 y.copy_from_slice(&seen);
             }
-        });
+        })?;
         let tail = if several {
             vec![markers.len(), 3]
         } else {
@@ -171,11 +186,12 @@ impl<'m, 'py> Evaluation<'m, 'py> {
     pub fn quantities(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let names = &self.model.layout.quantities;
         let width = names.len();
-        let [q] = self.each([width], |at, workspace, [q]| {
+        let [q] = self.each(py, [width], |at, workspace, [q]| {
             self.functions.quantities(at, workspace, q);
-        });
+        })?;
         let found = PyDict::new(py);
         for (index, name) in names.iter().enumerate() {
+            watched(py)?;
             let column: Vec<f64> = q.iter().skip(index).step_by(width).copied().collect();
             match self.x.rows {
                 None => found.set_item(name, column[0])?,
@@ -184,6 +200,12 @@ impl<'m, 'py> Evaluation<'m, 'py> {
         }
         Ok(found)
     }
+}
+
+/// Looks for signals, of which an error is raised, and lets other threads run.
+fn watched(py: Python<'_>) -> PyResult<()> {
+    py.detach(|| ());
+    py.check_signals().map_err(|error| cancelled(py, error))
 }
 
 /// A dense matrix from the entries of a sparse one.

@@ -132,7 +132,7 @@ fn tell(
 }
 
 /// Ctrl-C as `hyzer.Cancelled`, which is a `KeyboardInterrupt`; any other exception as it is.
-fn cancelled(py: Python<'_>, error: PyErr) -> PyErr {
+pub fn cancelled(py: Python<'_>, error: PyErr) -> PyErr {
     if !error.is_instance_of::<PyKeyboardInterrupt>(py) {
         return error;
     }

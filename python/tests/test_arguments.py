@@ -55,6 +55,16 @@ def test_labels_of_series_and_frames_are_names() -> None:
         DISC.rhs(0, pd.Series(x.to_numpy(), index=np.linspace(0, 1, 12)))
 
 
+def test_states_by_name_go_by_their_keys() -> None:
+    x = DISC.fly("backhand").to_pandas().iloc[10]
+    base = DISC.rhs(0, x.to_numpy())
+    assert np.array_equal(DISC.rhs(0, dict(x[::-1])), base)
+    several = {**x, "u": np.array([x["u"], x["u"] + 1])}
+    assert np.array_equal(DISC.rhs(0, several)[0], base)
+    with pytest.raises(hyzer.InputError, match="x has the names x, y, expected x, y, z"):
+        DISC.rhs(0, {"x": 0.0, "y": 1.0})
+
+
 def test_coordinates_and_lists_of_series_are_names() -> None:
     x = DISC.fly("backhand").to_pandas().iloc[10]
     base = DISC.rhs(0, x.to_numpy())

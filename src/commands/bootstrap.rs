@@ -107,7 +107,8 @@ pub fn in_parts(
     };
     let begun =
         json!({ "schema": "hyzer.bootstrap-parts/1", "refits": asked.refits, "parts": count });
-    let folder = PartsFolder::open(asked.out, asked.fingerprint.clone(), begun);
+    let is_share = asked.share.is_some();
+    let folder = PartsFolder::open(asked.out, asked.fingerprint.clone(), begun, is_share);
     let folder = folder.context("--out")?;
     if let Some(summary) = folder.summary() {
         return Ok(Some(summary));

@@ -1,10 +1,9 @@
 //! Command `hyzer verify`: runs every independent check of a model.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use anyhow::{Context, ensure};
+use flight::files::bounded_text;
 use model_spec::load::{Loaded, MODELS, inspect};
 use model_spec::model::Model;
 use serde_json::{Value, json};
@@ -170,10 +169,7 @@ fn check(path: &Path, json: bool) -> anyhow::Result<Answer> {
 }
 
 fn read(path: &Path) -> anyhow::Result<Record> {
-    let mut text = String::new();
-    File::open(path)?
-        .take(record::MAX_BYTES + 1)
-        .read_to_string(&mut text)?;
+    let text = bounded_text(path, record::MAX_BYTES, record::WHAT).map_err(anyhow::Error::msg)?;
     let record = Record::parse(&text)?;
     check_cases("cases", record.cases)?;
     Ok(record)

@@ -21,12 +21,14 @@ pub fn apply(
     if release.wind_field.is_some() {
         bail!("--wind: the release states a wind by height or gusts, expected only one wind");
     }
-    if text.split(',').count() == 3 && !Path::new(text).is_file() {
+    if text.split(',').count() == 3 && !Path::new(text).exists() {
         release.wind = vector("--wind", text, unit)?.map(|own| own * size);
         return with_input(model, release.wind);
     }
-    if !Path::new(text).is_file() {
-        bail!("--wind: found {text:?}, expected X,Y,Z in {unit} or a TOML file with [wind]");
+    if !Path::new(text).exists() {
+        bail!(
+            "--wind: found {text:?}, which is no file; expected X,Y,Z in {unit} or a TOML file with [wind]"
+        );
     }
     let (constant, field) = read_wind_file(Path::new(text)).context("--wind")?;
     release.wind = constant;

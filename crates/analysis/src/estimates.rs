@@ -2,11 +2,14 @@
 
 use std::path::Path;
 
-use flight::files::bounded_text;
+use flight::files::{bounded_text, json};
 use serde_json::Value;
 
 /// Maximum size of `report.json`, bytes.
 const MAX_BYTES: u64 = 64 << 20;
+
+/// What is read, in messages.
+const WHAT: &str = "the report.json that `hyzer fit DATASET --out DIR` writes";
 
 /// Estimates of a fit, with their errors.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,7 +39,7 @@ impl Estimates {
     /// # Errors
     /// If the file cannot be read.
     pub fn text(file: &Path) -> Result<String, String> {
-        bounded_text(file, MAX_BYTES).map_err(|error| error.to_string())
+        bounded_text(file, MAX_BYTES, WHAT).map_err(|error| error.to_string())
     }
 
     /// Reads the estimates from the text of a `report.json`.
@@ -44,10 +47,9 @@ impl Estimates {
     /// # Errors
     /// If the text is not the report of a fit: what was found, and what was expected.
     pub fn read(text: &str) -> Result<Estimates, String> {
-        let report: Value =
-            serde_json::from_str(text).map_err(|error| format!("is no JSON: {error}"))?;
+        let report: Value = json(text, WHAT).map_err(|error| error.to_string())?;
         let Some(coefficients) = report["coefficients"].as_object() else {
-            return Err("found no coefficients; expected the report.json of a fit".to_owned());
+            return Err(format!("found no coefficients; expected {WHAT}"));
         };
         let coefficients = coefficients.iter().map(|(name, own)| estimated(name, own));
         let coefficients = coefficients.collect::<Result<Vec<_>, _>>()?;

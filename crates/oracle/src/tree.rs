@@ -9,7 +9,7 @@ use crate::frames::{PlacedFrame, place_frames};
 use crate::point::Point;
 use crate::scalar::{Dual, Infinitesimals, Interpolant, Real, Surface, call};
 use crate::system::{Solved, eliminate};
-use model_spec::layout::{depends_on_accelerations, needed};
+use model_spec::layout::{depending_on_unknown, depends_on_accelerations, needed};
 use model_spec::model::{Expr, ExprKind, Function, Load, Model, Shape, Table};
 use nalgebra::Vector3;
 use std::cell::OnceCell;
@@ -114,12 +114,12 @@ impl<'a, T: Real> Tree<'a, T> {
     ) -> Self {
         let mut tree = Self::unevaluated(model, point, unknowns, 0);
         let of_motion = depends_on_accelerations(model);
+        let mut stated = vec![None; model.aux_variables.len()];
+        for (index, value) in given {
+            stated[*index] = Some(*value);
+        }
         for (index, named) in model.aux_variables.iter().enumerate() {
-            let given_value = given
-                .iter()
-                .find(|(i, _)| *i == index)
-                .map(|(_, value)| *value);
-            let value = match given_value {
+            let value = match stated[index] {
                 Some(value) => value,
                 // Computed below, once everything that the loads depend on is known.
                 None if of_motion[index] => Value::Scalar(T::zero()),
@@ -128,7 +128,7 @@ impl<'a, T: Real> Tree<'a, T> {
             tree.aux_variables.push(value);
         }
         for (index, named) in model.aux_variables.iter().enumerate() {
-            if of_motion[index] && given.iter().all(|(i, _)| *i != index) {
+            if of_motion[index] && stated[index].is_none() {
                 tree.aux_variables[index] = tree.value(&named.value);
             }
         }
@@ -268,6 +268,8 @@ impl<'a, T: Real> Tree<'a, T> {
                 let [a, b, c] = &**parts;
                 let parts = Vector3::new(self.scalar(a), self.scalar(b), self.scalar(c));
                 match e.shape {
+                    // The axes of the inertial frame are those in which everything is.
+                    Shape::Vector(0) => Vector(parts),
                     Shape::Vector(frame) => Vector(self.frames[frame].axes * parts),
                     Shape::Scalar => panic!("components of a vector, by the checker"),
                 }
@@ -336,12 +338,11 @@ impl<'a, T: Real> Tree<'a, T> {
                 let Shape::Vector(frame) = a.shape else {
                     panic!("a component of a vector, by the checker")
                 };
-                Scalar(
-                    self.frames[frame]
-                        .axes
-                        .column(usize::from(*axis) - 1)
-                        .dot(&self.vector(a)),
-                )
+                let (column, of) = (usize::from(*axis) - 1, self.vector(a));
+                Scalar(match frame {
+                    0 => of[column],
+                    _ => self.frames[frame].axes.column(column).dot(&of),
+                })
             }
             K::Reexpress(a) => self.value(a),
             K::Call(Function::Table(index), a) => match self.table(*index) {
@@ -384,42 +385,47 @@ pub fn norm<T: Real>(v: &Vector3<T>) -> T {
 }
 
 /// Solves a system of a model at a point: its equations are evaluated with dual numbers for their coefficients; `known` has the unknowns of the systems before it.
+/// What does not depend on an unknown is evaluated once, and not for each of them.
 fn solved<T: Real>(
     model: &Model,
     point: &Point<T>,
     given: &[(usize, Value<T>)],
     known: &[Vec<T>],
 ) -> Solved<T> {
-    let count = model.systems[known.len()].unknowns.len();
+    let own = known.len();
+    let system = &model.systems[own];
+    let mut unknowns = known.to_vec();
+    let rest = model.systems.iter().skip(own);
+    unknowns.extend(rest.map(|later| vec![T::zero(); later.unknowns.len()]));
+    let without = Tree::evaluated(model, point, given, unknowns.clone());
+    let values = system.equations.iter().map(|e| without.value(e));
+    let constants = values.flat_map(Value::components);
+
     let point = point.map(Dual::constant);
-    let given: Vec<(usize, Value<Dual<T>>)> = { given.iter() }
-        .map(|(index, value)| (*index, value.map(Dual::constant)))
-        .collect();
-    let equations = |unknowns: Vec<Dual<T>>| -> Vec<Dual<T>> {
-        let mut all: Vec<Vec<Dual<T>>> = { known.iter() }
-            .map(|own| own.iter().map(|value| Dual::constant(*value)).collect())
+    let lifted = |values: &Vec<T>| values.iter().copied().map(Dual::constant).collect();
+    let unknowns: Vec<Vec<Dual<T>>> = unknowns.iter().map(lifted).collect();
+    let column = |k: usize| -> Vec<T> {
+        let (variables, equations) = depending_on_unknown(model, own, k);
+        let fixed = without.aux_variables.iter().enumerate();
+        let fixed: Vec<(usize, Value<Dual<T>>)> = fixed
+            .filter(|(index, _)| !variables[*index] || given.iter().any(|(i, _)| i == index))
+            .map(|(index, value)| (index, value.map(Dual::constant)))
             .collect();
-        all.push(unknowns);
-        let later = model.systems.iter().skip(all.len());
-        all.extend(later.map(|own| vec![Dual::constant(T::zero()); own.unknowns.len()]));
-        let tree = Tree::evaluated(model, &point, &given, all);
-        let system = &model.systems[known.len()];
-        let values = system.equations.iter().map(|e| tree.value(e));
-        values.flat_map(Value::components).collect()
+        let mut unknowns = unknowns.clone();
+        unknowns[own][k].derivative = T::one();
+        let tree = Tree::evaluated(model, &point, &fixed, unknowns);
+        let own = system.equations.iter().zip(equations);
+        let coefficients = own.flat_map(|(e, depends)| match (depends, e.shape) {
+            (true, _) => tree.value(e).map(|of| of.derivative).components(),
+            (false, Shape::Scalar) => vec![T::zero()],
+            (false, Shape::Vector(_)) => vec![T::zero(); 3],
+        });
+        coefficients.collect()
     };
-    let zeros = vec![Dual::constant(T::zero()); count];
-    let columns: Vec<Vec<T>> = (0..count)
-        .map(|k| {
-            let mut unknowns = zeros.clone();
-            unknowns[k].derivative = T::one();
-            { equations(unknowns).into_iter() }
-                .map(|row| row.derivative)
-                .collect()
-        })
-        .collect();
-    let rows = equations(zeros).into_iter().enumerate().map(|(row, rest)| {
+    let columns: Vec<Vec<T>> = (0..system.unknowns.len()).map(column).collect();
+    let rows = constants.enumerate().map(|(row, rest)| {
         let coefficients = columns.iter().map(|column| column[row]);
-        coefficients.chain([-rest.value]).collect()
+        coefficients.chain([-rest]).collect()
     });
     eliminate(rows.collect())
 }

@@ -4,13 +4,18 @@
 use crate::report::Verdict;
 use codegen::backend::Backend;
 use codegen::rust::PlainRust;
+use flight::files::{Unreadable, json};
 use model_spec::model::{Model, Source};
 use serde::Deserialize;
+use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
 /// Name and version of the JSON format of a verification.
 pub const SCHEMA: &str = "hyzer.verification/1";
+
+/// What is read, in messages.
+pub const WHAT: &str = "the JSON that `hyzer verify MODEL --json > FILE` writes";
 
 /// Size limit of the JSON of a verification, bytes.
 pub const MAX_BYTES: u64 = 64_000_000;
@@ -18,8 +23,6 @@ pub const MAX_BYTES: u64 = 64_000_000;
 /// What the JSON of a verification says of one or more models. Other fields of the JSON are ignored.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Record {
-    /// Name and version of the JSON format; always [`SCHEMA`].
-    schema: String,
     /// Seed of all random numbers of the verification.
     pub seed: u64,
     /// Number of random points at which each check evaluated the models.
@@ -69,13 +72,13 @@ struct RecordedPair {
 #[non_exhaustive]
 pub enum RecordError {
     /// The text has more than [`MAX_BYTES`] bytes.
-    #[error("found more than {MAX_BYTES} bytes, expected the JSON of a verification")]
+    #[error("found more than {MAX_BYTES} bytes; expected {WHAT}")]
     TooLong,
-    /// The text is not the JSON of a verification; the message ends with line and column.
+    /// The text is not the JSON of a verification: where, what was found, and what was expected.
     #[error("{0}")]
-    Malformed(#[from] serde_json::Error),
+    Malformed(Unreadable),
     /// The format is another one than [`SCHEMA`]; contains the format found.
-    #[error("schema: found {0:?}, expected {SCHEMA}")]
+    #[error("schema: found {0}; expected {SCHEMA:?}, as in {WHAT}")]
     Schema(String),
 }
 
@@ -85,11 +88,13 @@ impl Record {
         if text.len() as u64 > MAX_BYTES {
             return Err(RecordError::TooLong);
         }
-        let record: Self = serde_json::from_str(text)?;
-        if record.schema != SCHEMA {
-            return Err(RecordError::Schema(record.schema));
+        let value: Value = json(text, WHAT).map_err(RecordError::Malformed)?;
+        match value.get("schema") {
+            Some(schema) if schema == SCHEMA => {}
+            Some(schema) => return Err(RecordError::Schema(schema.to_string())),
+            None => return Err(RecordError::Schema("none".to_owned())),
         }
-        Ok(record)
+        json(text, WHAT).map_err(RecordError::Malformed)
     }
 
     /// Describes each hash and verdict that differs in `now`, and each model or check that only one record has.

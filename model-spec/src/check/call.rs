@@ -126,6 +126,9 @@ impl Checker<'_> {
                     _ => "a pure number",
                 };
                 self.must_be(&a, &Term::one(), &format!("{what} must be {should}"));
+                if let Function::Sin | Function::Cos | Function::Tan = function {
+                    self.must_be_radians(&a, &what);
+                }
                 UnitOf::of(match function {
                     Function::Asin | Function::Acos | Function::Atan => Unit::RADIAN,
                     _ => Unit::ONE,

@@ -20,6 +20,17 @@ struct Leaf {
     declared: bool,
 }
 
+/// Span of the parts of an expression if it begins and ends beyond them.
+fn narrowed(span: Span, parts: impl Iterator<Item = Span>) -> Span {
+    let all = parts.reduce(|all, part| Span {
+        start: all.start.min(part.start),
+        end: all.end.max(part.end),
+        ..all
+    });
+    all.filter(|all| span.start < all.start && all.end < span.end)
+        .unwrap_or(span)
+}
+
 impl Checker<'_> {
     /// Description of a unit for messages, such as `a force (N = kg·m/s²)`.
     pub fn described(&self, term: &Term) -> String {
@@ -79,7 +90,16 @@ impl Checker<'_> {
             .collect();
         let sides = sides.join(if sides.len() == 2 { ", but " } else { "; " });
         let message = format!("{rule}: {sides}");
+        let unequal = groups.iter().flatten().map(|&i| terms[i].expr.span);
+        // The terms that a sum over an index is made of stand within it.
+        let span = match self.text(span).starts_with("sum") {
+            true => narrowed(span, unequal),
+            false => span,
+        };
         let mut fault = Diagnostic::new(Kind::Unit, span, message);
+        if self.is_told(&fault) {
+            return fault;
+        }
         for group in groups {
             for &i in group {
                 let what = self.described(&term_of(&terms[i]));
@@ -104,6 +124,10 @@ impl Checker<'_> {
         let is = self.described(found);
         let message = format!("{rule}, but `{}` is {is}", self.text(span));
         let fault = Diagnostic::new(Kind::Unit, span, message).label(span, is);
+        if self.is_told(&fault) {
+            self.report(fault);
+            return false;
+        }
         let mut fault = self.origins(fault, &[typed]);
         if let (Some(found), Some(expected)) = (
             self.units.resolve(found).unit(),

@@ -36,6 +36,8 @@ impl<'a> Checker<'a> {
 
     /// Checks each function once, with parameters of the declared types, whether it is called or not.
     pub fn functions(&mut self) {
+        // The errors so far are of copies.
+        self.told.clear();
         for function in self.declared_functions() {
             let earlier = self.diagnostics.len();
             self.function(function);
@@ -300,7 +302,7 @@ impl<'a> Checker<'a> {
         faults.retain(|fault| !faulty.iter().any(|own| contains(*own, fault.span)));
         faults.extend(found);
         let mut seen = std::collections::HashSet::new();
-        faults.retain(|fault| seen.insert((fault.span, fault.message.clone())));
+        faults.retain(|fault| seen.insert(self.place(fault)));
         faults
     }
 }

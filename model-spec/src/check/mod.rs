@@ -3,6 +3,7 @@
 //! The checks analyse the vector expressions as written, before any simplification. A statement with an error is
 //! reported once and omitted; statements that refer to it cause no further reports.
 
+mod angle;
 mod attitude;
 mod body;
 mod body_rates;
@@ -19,6 +20,7 @@ mod explain;
 mod finish;
 mod frames;
 mod function;
+mod kept;
 mod limits;
 mod names;
 mod order;
@@ -34,7 +36,7 @@ mod table;
 mod term;
 mod unitless;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use crate::diagnostic::{self, Diagnostic, Kind, Span};
@@ -185,6 +187,10 @@ struct Checker<'a> {
     parts_of_body: Parts<'a>,
     /// Declarations without a unit, and the unit errors that they may cause.
     unitless: Unitless,
+    /// Names of the elements of arrays in the file, each with how it is written.
+    elements: HashMap<&'a str, String>,
+    /// Errors so far, by [`Checker::place`].
+    told: HashSet<(Span, String)>,
 }
 
 impl<'a> Checker<'a> {
@@ -214,6 +220,8 @@ impl<'a> Checker<'a> {
             declared_body: file.body(),
             parts_of_body: Parts::default(),
             unitless,
+            elements: file.items.iter().filter_map(shown::written).collect(),
+            told: HashSet::new(),
         }
     }
 
@@ -239,7 +247,21 @@ impl<'a> Checker<'a> {
     }
 
     fn report(&mut self, fault: Diagnostic) {
+        self.told.insert(self.place(&fault));
         self.diagnostics.push(fault);
+    }
+
+    /// What is one error: its span and message, whichever element of an array it is about.
+    fn place(&self, fault: &Diagnostic) -> (Span, String) {
+        (
+            fault.span,
+            shown::of_any_element(&fault.message, &self.elements),
+        )
+    }
+
+    /// Whether the error was reported before, of another element or another copy of a function.
+    fn is_told(&self, fault: &Diagnostic) -> bool {
+        self.told.contains(&self.place(fault))
     }
 
     /// Reports an error; returns `None`.

@@ -133,12 +133,16 @@ impl Checker<'_> {
     }
 
     fn unknown_name(&mut self, name: &str, span: Span) -> Option<Typed> {
-        let mut fault = Diagnostic::new(Kind::Name, span, format!("there is no `{name}`"));
+        let element = self.element_in_text(name, span);
+        let shown = element.as_ref().map_or(name, |(_, shown)| shown);
+        let mut fault = Diagnostic::new(Kind::Name, span, format!("there is no `{shown}`"));
+        if self.is_told(&fault) {
+            return self.refuse(fault);
+        }
         if name == super::PREVIOUS {
             fault =
                 fault.note("`previous` stands for what is replaced, in a `replace` of an effect");
-        } else if let Some((array, element)) = self.element_in_text(name, span) {
-            fault.message = format!("there is no `{element}`");
+        } else if let Some((array, _)) = element {
             let elements = self.elements(&array);
             fault = match &elements[..] {
                 [] if self.scope.find(&array).is_some() => {
@@ -220,7 +224,7 @@ impl Checker<'_> {
 
     /// Statements in which what explains an error is searched: errors that are not shown need no search.
     pub fn searched(&self) -> &[ast::Item] {
-        match self.diagnostics.len() < MAX_SHOWN {
+        match self.told.len() < MAX_SHOWN {
             true => &self.file.items,
             false => &[],
         }
@@ -290,7 +294,7 @@ impl Checker<'_> {
     /// States of the body's `position`, `velocity` or `angular_velocity`.
     pub fn states_of_body(&self, name: &str) -> Option<[&str; 3]> {
         // Errors that are not shown need no search.
-        let is_shown = self.diagnostics.len() < MAX_SHOWN;
+        let is_shown = self.told.len() < MAX_SHOWN;
         let parts = &self.declared_body.filter(|_| is_shown)?.parts;
         let words = name.replace('_', " ");
         parts.iter().find_map(|part| match &part.kind {

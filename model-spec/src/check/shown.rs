@@ -14,15 +14,31 @@ pub(super) fn show_written_names(file: &File, faults: &mut [Diagnostic]) {
     if names.is_empty() {
         return;
     }
+    let show = |text: &mut String| *text = shown(text, &names);
     for fault in faults {
-        show(&mut fault.message, &names);
-        fault
-            .labels
-            .iter_mut()
-            .for_each(|own| show(&mut own.text, &names));
-        fault.notes.iter_mut().for_each(|own| show(own, &names));
-        fault.help.iter_mut().for_each(|own| show(own, &names));
+        show(&mut fault.message);
+        fault.labels.iter_mut().for_each(|own| show(&mut own.text));
+        fault.notes.iter_mut().for_each(show);
+        fault.help.iter_mut().for_each(show);
     }
+}
+
+/// A message as it is for any element of an array: without subscripts.
+pub(super) fn of_any_element(message: &str, names: &HashMap<&str, String>) -> String {
+    let message = shown(message, names);
+    let mut parts = message.split('[');
+    let mut general = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let inner = part.find(']').filter(|end| is_subscript(&part[..*end]));
+        general.push('[');
+        general.push_str(&part[inner.unwrap_or(0)..]);
+    }
+    general
+}
+
+fn is_subscript(text: &str) -> bool {
+    text.chars()
+        .all(|c| c.is_ascii_digit() || matches!(c, ',' | ' '))
 }
 
 /// Name of an expanded statement, and how it is written in the text.
@@ -42,9 +58,10 @@ pub(super) fn written(item: &Item) -> Option<(&str, String)> {
     Some((name, format!("{own}[{}]", subscripts.replace('_', ", "))))
 }
 
-fn show(text: &mut String, names: &HashMap<&str, String>) {
+/// A text with names as they are written.
+fn shown(text: &str, names: &HashMap<&str, String>) -> String {
     let mut shown = String::with_capacity(text.len());
-    let mut rest = text.as_str();
+    let mut rest = text;
     let is_of_name = |c: char| c.is_alphanumeric() || c == '_';
     while let Some(start) = rest.find(is_of_name) {
         shown.push_str(&rest[..start]);
@@ -55,5 +72,5 @@ fn show(text: &mut String, names: &HashMap<&str, String>) {
         rest = &rest[end..];
     }
     shown.push_str(rest);
-    *text = shown;
+    shown
 }

@@ -1,6 +1,7 @@
 //! Singular points: divisors that may be zero, and guarded functions.
 
 use super::Checker;
+use super::kept::Kept;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Interpolation, Model, Shape};
 
@@ -50,16 +51,26 @@ impl Sign {
     }
 }
 
-struct Signs<'m> {
-    model: &'m Model,
+pub(super) struct Signs<'m> {
+    pub(super) model: &'m Model,
+    kept: Kept<'m>,
     lets: Vec<Sign>,
     ranges: Vec<Option<(f64, f64)>>,
 }
 
 impl<'m> Signs<'m> {
     fn new(model: &'m Model) -> Signs<'m> {
+        let without_limits = Signs::knowing(model, Kept::new(model));
+        match model.limits.is_empty() {
+            true => without_limits,
+            false => Signs::knowing(model, Kept::learned(&without_limits)),
+        }
+    }
+
+    fn knowing(model: &'m Model, kept: Kept<'m>) -> Signs<'m> {
         let mut signs = Signs {
             model,
+            kept,
             lets: Vec::with_capacity(model.aux_variables.len()),
             ranges: Vec::with_capacity(model.aux_variables.len()),
         };
@@ -72,10 +83,19 @@ impl<'m> Signs<'m> {
     }
 
     fn of(&self, e: &Expr) -> Sign {
-        use ExprKind as K;
-        if limited(self.model, e) {
+        if self.kept.is_positive(e) {
             return Sign::Positive;
         }
+        let sign = self.by_parts(e);
+        match self.kept.is_never_zero(e) {
+            true if sign.never_negative() => Sign::Positive,
+            true => Sign::NotZero,
+            false => sign,
+        }
+    }
+
+    fn by_parts(&self, e: &Expr) -> Sign {
+        use ExprKind as K;
         match self.range(e) {
             Some((least, _)) if least > 0.0 => return Sign::Positive,
             Some((_, greatest)) if greatest < 0.0 => return Sign::NotZero,
@@ -135,8 +155,17 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// Range of an expression, SI, by interval arithmetic over the bounds of parameters.
-    fn range(&self, e: &Expr) -> Option<(f64, f64)> {
+    /// Range of an expression, SI, by interval arithmetic over the bounds of parameters and what limits keep.
+    pub(super) fn range(&self, e: &Expr) -> Option<(f64, f64)> {
+        let own = self.range_of_parts(e);
+        let Some((least, greatest)) = self.kept.range(e) else {
+            return own;
+        };
+        let (from, to) = own.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        Some((from.max(least), to.min(greatest)))
+    }
+
+    fn range_of_parts(&self, e: &Expr) -> Option<(f64, f64)> {
         use ExprKind as K;
         match &e.kind {
             K::Number { value, .. } => Some((*value, *value)),
@@ -259,16 +288,8 @@ fn cosines(least: f64, greatest: f64) -> (f64, f64) {
     (low, high)
 }
 
-/// Whether a validity limit of the model requires the expression `e` to exceed a bound of at least 0.
-fn limited(model: &Model, e: &Expr) -> bool {
-    model.limits.iter().filter(|l| l.bound >= 0.0).any(|limit| {
-        let (a, b) = (named(model, e), named(model, &limit.value));
-        e.same(&limit.value) || a.same(b) || e.same(b) || a.same(&limit.value)
-    })
-}
-
 /// Defining expression of the auxiliary variable to which `e` refers; `e` itself if it does not refer to one.
-fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
+pub(super) fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     match &e.kind {
         ExprKind::AuxVariable(i) => model.aux_variables.get(*i).map_or(e, |l| &l.value),
         _ => e,
@@ -361,7 +382,7 @@ impl Checker<'_> {
         let mut fault = Diagnostic::new(Kind::Singular, e.span, message)
             .label(divisor.span, "the divisor")
             .note(
-                "a divisor is made of numbers, constants, sums that bounds keep away from 0, exp(…) and what a `limit` keeps above 0",
+                "a divisor is made of numbers, constants, sums that bounds keep away from 0, exp(…) and what a `limit` keeps away from 0",
             );
         if let ExprKind::AuxVariable(i) = culprit.kind {
             let place = self.model.aux_variables[i].span;

@@ -7,6 +7,7 @@ use super::{Checker, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::model::{self, ExprKind, Function, Interpolation, TableArgument};
 use crate::syntax::ast::{self, Item, Quantity};
+use crate::unit::Unit;
 
 /// Minimum number of knots of an argument.
 const MIN_KNOTS: usize = 2;
@@ -240,7 +241,12 @@ impl Checker<'_> {
         if !table.values.is_empty() {
             let expected = Term::known(table.arguments[at].unit);
             let should = self.described(&expected);
+            let is_angle = table.arguments[at].unit == Unit::RADIAN;
             self.must_be(&argument, &expected, &format!("{what} must be {should}"));
+            match is_angle {
+                true => self.must_be_radians(&argument, what),
+                false => self.must_not_be_radians(&argument, (index, at), what),
+            }
         }
         Some(argument)
     }

@@ -1,5 +1,7 @@
 //! Values of constant expressions, and the inertia tensors that a body can have.
 
+use crate::layout::needed;
+
 use super::{Expr, ExprKind, Function, Model, Parameter};
 use std::f64::consts::{PI, TAU};
 
@@ -14,14 +16,36 @@ impl Model {
     /// Why no body has the inertia tensor that the model states, with the values that `of` gives its parameters and
     /// coefficients; `None` if one may have it.
     pub fn inertia_fault(&self, of: impl Fn(&Parameter) -> f64) -> Option<String> {
+        self.tensors()
+            .find_map(|tensor| self.tensor_fault(tensor, &of))
+    }
+
+    /// Whether a moment of inertia depends on the parameter or coefficient of a name.
+    pub fn inertia_depends_on(&self, name: &str) -> bool {
+        let entries: Vec<&Expr> = self.tensors().flatten().flatten().collect();
+        let variables = self.aux_variables.iter().zip(needed(self, &entries));
+        let variables = variables.filter_map(|(own, is_needed)| is_needed.then_some(&own.value));
+        entries.iter().copied().chain(variables).any(|e| {
+            let mut found = false;
+            e.walk(&mut |part| {
+                found |= match part.kind {
+                    ExprKind::Param(i) => self.params[i].name == name,
+                    ExprKind::Coefficient(i) => self.coefficients[i].name == name,
+                    _ => false,
+                };
+            });
+            found
+        })
+    }
+
+    fn tensors(&self) -> impl Iterator<Item = &InertiaTensor<Expr>> {
         let declared = self.body.as_ref().and_then(|own| own.rotation.as_ref());
         let claimed = self.claim.as_ref().and_then(|own| own.rotation.as_ref());
         let tensors = [
             declared.map(|own| &own.inertia),
             claimed.map(|own| &own.inertia),
         ];
-        let tensors = tensors.into_iter().flatten();
-        { tensors }.find_map(|tensor| self.tensor_fault(tensor, &of))
+        tensors.into_iter().flatten()
     }
 
     pub(crate) fn tensor_fault(

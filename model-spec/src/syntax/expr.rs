@@ -5,6 +5,7 @@ use super::parser::{Parser, Read, Reported};
 use super::quantity::{FOLLOWING, INCH, superscript_value};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::unit::symbol;
 
 /// Maximum height of an expression in nodes, which bounds the recursion of later passes.
 pub(crate) const MAX_HEIGHT: u32 = 200;
@@ -221,6 +222,9 @@ impl Parser<'_> {
         self.closing(start)?;
         let triple = start.to(self.behind());
         if !self.eat_word("in") {
+            if let Some(fault) = self.unit_behind(triple, [&first, &second, &third]) {
+                return self.refuse(fault);
+            }
             let message = "a vector in components must say in which frame they are";
             let fault = Diagnostic::new(Kind::Grammar, triple, message).help(format!(
                 "write `{} in B`, with the name of a frame for `B`",
@@ -233,6 +237,21 @@ impl Parser<'_> {
         let height = first.height.max(second.height).max(third.height);
         let parts = Box::new([first.expr, second.expr, third.expr]);
         self.grown(ExprKind::Components(parts, frame), span, height)
+    }
+
+    /// Error for a unit behind the brackets of a vector in components, as in `(0, 0, 50) m in N`.
+    fn unit_behind(&self, triple: Span, parts: [&Tree; 3]) -> Option<Diagnostic> {
+        let next = self.slice(self.here());
+        let is_unit = self.peek() == Token::Sign("[")
+            || self.peek() == Token::Name && symbol::find(next).is_some();
+        let message = "in an expression a unit stands behind each component of a vector";
+        let each = parts.map(|part| self.slice(part.expr.span));
+        let shown = match (self.peek(), each) {
+            (Token::Name, [a, b, c]) => format!("`({a} {next}, {b} {next}, {c} {next}) in …`"),
+            (_, [a, b, c]) => format!("`({a} […], {b} […], {c} […]) in …`"),
+        };
+        let fault = Diagnostic::new(Kind::Grammar, triple, message);
+        is_unit.then(|| fault.help(format!("write {shown}, of which 0 needs none")))
     }
 
     fn closing(&mut self, open: Span) -> Read<()> {

@@ -325,6 +325,42 @@ fn divisors_and_tangents_of_bounded_angles_are_kept_from_zero() {
 }
 
 #[test]
+fn limits_keep_sums_of_squares_and_ranges_from_zero() {
+    let speed = "let speed = sqrt(vx^2 + vy^2); limit speed > 0 \"it hangs\";";
+    let velocity = "let speed = norm(velocity); limit speed^2 > 0 \"it hangs\";";
+    let steep = "let gamma = atan2(vz, vx); limit 80 deg - abs(gamma) > 0 \"too steep\";";
+    for (limit, allowed) in [
+        (speed, "1/(vx^2 + vy^2)"),
+        (speed, "1/sqrt(vx^2 + vy^2 + vz^2)"),
+        (speed, "1/norm(velocity)"),
+        (speed, "1/norm((velocity.1, velocity.2, 0) in N)"),
+        (velocity, "1/dot(velocity, velocity)"),
+        (velocity, "1/(vx*vx + vy^2 + velocity.3^2)"),
+        (velocity, "1/norm(velocity)^3"),
+        ("limit abs(vx) > 1 m/s \"slow\";", "1/vx"),
+        ("limit vx^2 > 0 \"slow\";", "1/vx^3"),
+        ("limit vx > 2 m/s \"slow\";", "1/(vx - 1 [m/s])"),
+        ("limit vx > -2 m/s \"back\";", "1/(vx + 3 [m/s])"),
+        ("limit 5 [m/s] - vx > 0 \"fast\";", "1/(6 [m/s] - vx)"),
+        (steep, "tan(gamma)/cos(gamma)"),
+    ] {
+        read(&format!("{limit} let b = {allowed};"));
+    }
+    for (limit, wrong) in [
+        (speed, "1/vx"),
+        (speed, "1/(vx^2 + vz^2)"),
+        (speed, "1/(vx^2 - vy^2)"),
+        (velocity, "1/(vx^2 + vy^2)"),
+        ("limit vx > 0.5 m/s \"slow\";", "1/(vx - 1 [m/s])"),
+        ("limit vx > -2 m/s \"back\";", "1/vx^2"),
+        (steep, "1/sin(gamma)"),
+    ] {
+        let message = refused(&format!("{limit} let b = {wrong};"));
+        assert!(message.contains("may be zero"), "{wrong}: {message}");
+    }
+}
+
+#[test]
 fn moments_of_inertia_by_a_chain_of_names_take_no_time() {
     let links = (1..60).map(|k| format!("let I{k} = (I{0} + I{0})/2;\n", k - 1));
     let text = |third: &str| {

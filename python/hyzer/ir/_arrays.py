@@ -159,7 +159,7 @@ class ArrayModel(Generic[A]):
         given = {
             "t": self._library.array(t)[..., None],
             "x": self._checked("x", x, self.states),
-            "p": self._checked("p", self.p0 if p is None else p, self.parameters),
+            "p": self._checked("p", self.p0 if p is None else p, self.parameters, self.p0),
         }
         if marker is not None:
             given["m"] = self._marker(marker)
@@ -174,10 +174,14 @@ class ArrayModel(Generic[A]):
             for output in self.ir.functions[name].outputs
         ]
 
-    def _checked(self, name: str, value: Any, names: Sequence[str]) -> Any:
+    def _checked(self, name: str, value: Any, names: Sequence[str], defaults: Any = None) -> Any:
         """Return an array with an element for each name along its last axis."""
-        value = ordered(name, value, names)
-        array = self._library.array(value)
+        if isinstance(value, Mapping):
+            parts = [self._library.array(part) for part in by_name(name, value, names, defaults)]
+            batch = self._library.broadcast_shapes(*(part.shape for part in parts))
+            places = [(k,) for k in range(len(names))]
+            return self._library.dense(parts, places, batch, (len(names),))
+        array = self._library.array(ordered(name, value, names))
         if array.ndim == 0 or array.shape[-1] != len(names):
             expected = f"(..., {len(names)}), for {', '.join(names)}"
             raise ValueError(f"{name}: found an array of shape {array.shape}, expected {expected}")
@@ -196,18 +200,32 @@ class ArrayModel(Generic[A]):
         return shape
 
     def _marker(self, value: Any) -> Any:
+        if isinstance(value, Mapping):
+            return self._checked("marker", value, self.ir.marker)
         array = self._library.array(value)
         if array.ndim == 0:
             return self._library.array([value] * len(self.ir.marker))
         return self._checked("marker", array, self.ir.marker)
 
 
+def by_name(what: str, values: Mapping[Any, Any], names: Sequence[str], defaults: Any) -> list[Any]:
+    """Return the values of a mapping in the order of `names`, with `defaults` for others."""
+    is_whole = defaults is not None or all(name in values for name in names)
+    if not is_whole or any(name not in names for name in values):
+        found, expected = ", ".join(map(str, values)), ", ".join(names)
+        some = "some of " if defaults is not None else ""
+        raise ValueError(f"{what}: found the names {found}, expected {some}{expected}")
+    return [values[name] if name in values else defaults[k] for k, name in enumerate(names)]
+
+
 def ordered(what: str, value: Any, names: Sequence[str]) -> Any:
     """Return an array by its labels along the last axis: in the order of `names`, without labels.
 
     Labels are the index of a Series, the columns of a DataFrame, the coordinates of an xarray;
-    numbers are no labels.
+    numbers are no labels. Rows of a list have labels of their own.
     """
+    if isinstance(value, (list, tuple)):
+        return [ordered(what, row, names) for row in value] if _has_rows(value) else value
     labels = _labels(value)
     if not any(isinstance(label, str) for label in labels):
         return value
@@ -217,6 +235,10 @@ def ordered(what: str, value: Any, names: Sequence[str]) -> Any:
     places = [labels.index(name) for name in names]
     values: Any = value.to_numpy() if hasattr(value, "to_numpy") else value.values
     return values[..., places]
+
+
+def _has_rows(value: Sequence[Any]) -> bool:
+    return any(hasattr(row, "iloc") or hasattr(row, "dims") for row in value)
 
 
 def _labels(value: Any) -> list[Any]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
+from ._arrays import by_name, ordered
 from ._document import Ir, Output, Table
 from ._operations import Library, horner
 from ._program import Programs, required
@@ -17,6 +19,9 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class CasadiModel:
     """Functions of a model, each a ``casadi.Function``.
+
+    States, parameters and markers are vectors in the order of `ir`; a Series or DataFrame goes by
+    its labels, a mapping by its keys, where parameters that it lacks are those of the model.
 
     Attributes
     ----------
@@ -124,7 +129,8 @@ def to_casadi(ir: dict[str, Any] | Ir, kind: Literal["SX", "MX"] = "SX") -> Casa
         if name == "limits":
             results[0] -= casadi.DM([limit.bound for limit in checked.limits])
         named = [*symbols, *(["marker"] if more else [])]
-        return casadi.Function(name, [*symbols.values(), *more], results, named, [*outputs])
+        made = casadi.Function(name, [*symbols.values(), *more], results, named, [*outputs])
+        return _by_labels(casadi, made, checked)
 
     return CasadiModel(
         rhs=function("rhs", {"dx": "dx"}),
@@ -134,6 +140,39 @@ def to_casadi(ir: dict[str, Any] | Ir, kind: Literal["SX", "MX"] = "SX") -> Casa
         limits=function("limits", {"margin": "l"}),
         ir=checked,
     )
+
+
+def _by_labels(casadi: Any, function: Any, ir: Ir) -> Any:
+    """Return the function, which takes labelled arguments by their labels when it is called."""
+    names = {"x": [own.name for own in ir.states], "p": [own.name for own in ir.parameters]}
+    names["marker"] = list(ir.marker)
+    defaults = {"p": [own.value for own in ir.parameters]}
+
+    class Labelled(casadi.Function):  # type: ignore[misc]
+        def __init__(self, function: Any) -> None:
+            super().__init__(function)
+
+        def __call__(self, *arguments: Any, **named: Any) -> Any:
+            of = [function.name_in(k) for k in range(len(arguments))]
+            given = [self._vector(own, value) for own, value in zip(of, arguments, strict=True)]
+            return super().__call__(*given, **{k: self._vector(k, v) for k, v in named.items()})
+
+        def __reduce__(self) -> Any:
+            return casadi.Function.deserialize, (self.serialize(),)
+
+        @staticmethod
+        def _vector(own: str, value: Any) -> Any:
+            return _vector(casadi, own, value, names.get(own, ()), defaults.get(own))
+
+    return Labelled(function)
+
+
+def _vector(casadi: Any, what: str, value: Any, names: Sequence[str], defaults: Any) -> Any:
+    """Return a labelled vector, or the labelled rows of a table as columns, in order."""
+    if isinstance(value, Mapping):
+        return casadi.vertcat(*by_name(what, value, names, defaults))
+    found = ordered(what, value, names)
+    return found.T if hasattr(value, "columns") and found is not value else found
 
 
 def _matrix(symbolic: Any, output: Output, values: list[Any]) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 import subprocess
 import sys
 from typing import Any
@@ -49,6 +50,42 @@ def test_labelled_arrays_are_taken_by_name(of: Any) -> None:
     wind = pd.Series([1.0, 2.0, 3.0], index=["wind_z", "wind_y", "wind_x"])
     by_name = model.rhs(0.0, x, wind=wind)
     np.testing.assert_array_equal(by_name, model.rhs(0.0, x, wind=[3, 2, 1]))
+
+
+@pytest.mark.parametrize("of", [to_numpy, to_jax])
+def test_values_by_name_go_by_their_keys(of: Any) -> None:
+    model, x = of(document(BALL)), np.array([0.0, 1.0, 2.0, 10.0, 3.0, -4.0])
+    p = np.array(model.p0)
+    p[model.parameters.index("C_D")] = 0.3
+    expected = model.rhs(0.0, x, p)
+    named = dict(reversed(list(zip(model.states, x, strict=True))))
+    np.testing.assert_array_equal(model.rhs(0.0, named, {"C_D": 0.3}), expected)
+    several = {**named, "vx": np.array([10.0, 11.0])}
+    np.testing.assert_array_equal(model.rhs(0.0, several, {"C_D": 0.3})[0], expected)
+    rows = [pd.Series(named), pd.Series(named).sort_index()]
+    np.testing.assert_array_equal(model.rhs(0.0, rows, p), [expected, expected])
+    with pytest.raises(ValueError, match="x: found the names x, expected x, y, z"):
+        model.rhs(0.0, {"x": 0.0})
+    with pytest.raises(ValueError, match="p: found the names C_DD, expected some of"):
+        model.rhs(0.0, x, {"C_DD": 0.3})
+
+
+def test_casadi_takes_labels() -> None:
+    model = to_casadi(document(BALL))
+    states = [state.name for state in model.ir.states]
+    x = pd.Series([0.0, 1.0, 2.0, 10.0, 3.0, -4.0], index=states)
+    expected = np.array(model.rhs(0, x.to_numpy(), model.p0))
+    for given in (x, x[::-1], dict(x[::-1])):
+        np.testing.assert_array_equal(np.array(model.rhs(0, given, model.p0)), expected)
+        named = model.rhs(t=0, x=given, p={})["dx"]
+        np.testing.assert_array_equal(np.array(named), expected)
+    frame = pd.DataFrame([x, 2 * x])[states[::-1]]
+    several = np.array(model.rhs(0, frame, model.p0))
+    np.testing.assert_array_equal(several[:, :1], expected)
+    with pytest.raises(ValueError, match="x: found the labels other"):
+        model.rhs(0, x.rename({"x": "other"}), model.p0)
+    copied = pickle.loads(pickle.dumps(model.rhs))
+    np.testing.assert_array_equal(np.array(copied(0, x.to_numpy(), model.p0)), expected)
 
 
 @pytest.mark.parametrize("of", [to_numpy, to_jax])

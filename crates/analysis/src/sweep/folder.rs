@@ -12,6 +12,9 @@ use sha2::{Digest, Sha256};
 /// Name of the JSON file that identifies the computation in a folder by its fingerprint.
 const BEGUN: &str = "parts.json";
 
+/// Name of the file among the parts that is locked as long as somebody computes.
+const LOCK: &str = ".lock";
+
 /// Name of the JSON file with the summary of the results; it is written last.
 const SUMMARY: &str = "summary.json";
 
@@ -36,6 +39,12 @@ pub enum FolderError {
         /// Error of the operating system.
         source: io::Error,
     },
+    /// Another process or thread computes in the folder.
+    #[error(
+        "{} is in use: another run computes there, and loses nothing; expected its end, then the same command again, or another folder",
+        .0.display()
+    )]
+    InUse(PathBuf),
     /// There is no share of this number.
     #[error("part {part} of {of}; expected one from 1 to {of}")]
     NoPart {
@@ -78,23 +87,32 @@ pub fn share_of(count: u64, (share, of): (u64, u64)) -> Result<std::ops::Range<u
 pub struct PartsFolder {
     path: PathBuf,
     fingerprint: String,
+    /// Open as long as the computation runs.
+    lock: Option<fs::File>,
 }
 
 impl PartsFolder {
     /// Opens a folder that is new, empty or holds parts of the same computation (equal `fingerprint`). In a new folder the
-    /// description `begun` and the fingerprint are written to `parts.json`.
+    /// description `begun` and the fingerprint are written to `parts.json`. Shares may be computed side by side; who joins
+    /// them removes the parts, and must be alone.
     ///
     /// # Errors
-    /// [`FolderError`] if the folder cannot be read or written, or holds another computation or other files.
-    pub fn open(path: &Path, fingerprint: String, mut begun: Value) -> Result<Self, FolderError> {
+    /// [`FolderError`] if the folder cannot be read or written, is in use, or holds another computation or other files.
+    pub fn open(
+        path: &Path,
+        fingerprint: String,
+        mut begun: Value,
+        is_share: bool,
+    ) -> Result<Self, FolderError> {
         let io = |source| FolderError::Io {
             path: path.to_path_buf(),
             source,
         };
         fs::create_dir_all(path).map_err(io)?;
-        let folder = PartsFolder {
+        let mut folder = PartsFolder {
             path: path.to_path_buf(),
             fingerprint,
+            lock: None,
         };
         let file = path.join(BEGUN);
         match fs::read_to_string(&file) {
@@ -111,7 +129,29 @@ impl PartsFolder {
             Err(e) => return Err(io(e)),
         }
         fs::create_dir_all(path.join("parts")).map_err(io)?;
+        folder.lock(is_share)?;
         Ok(folder)
+    }
+
+    /// Locks the folder until this value is dropped; where the file system has no locks, it stays without.
+    fn lock(&mut self, is_share: bool) -> Result<(), FolderError> {
+        let path = self.path.join("parts").join(LOCK);
+        let mut options = fs::OpenOptions::new();
+        let options = options.create(true).truncate(false).write(true);
+        let file = options
+            .open(&path)
+            .map_err(|source| FolderError::Io { path, source })?;
+        let locked = match is_share {
+            true => file.try_lock_shared(),
+            false => file.try_lock(),
+        };
+        match locked {
+            Err(fs::TryLockError::WouldBlock) => Err(FolderError::InUse(self.path.clone())),
+            _ => {
+                self.lock = Some(file);
+                Ok(())
+            }
+        }
     }
 
     /// A JSON text of this computation, by its fingerprint.

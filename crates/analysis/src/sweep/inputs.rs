@@ -1,5 +1,7 @@
 //! Inputs of each flight of a sweep: they depend on the plan, the number of the flight and the seed alone.
 
+use std::collections::HashMap;
+
 use flight::CompiledModel;
 use flight::release::Vocabulary;
 use flight::throw::{FIELDS, NearThrows, Throw, ThrowError, ThrownModel};
@@ -18,6 +20,8 @@ pub(crate) struct InputModel {
     vocabulary: Vocabulary,
     /// Seed of the gusts and indices of the parameters that are their phases, if every flight has gusts of its own.
     gusts: Option<(u64, Vec<usize>)>,
+    /// Indices of the constants by their names, if a moment of inertia varies with one.
+    of_inertia: Option<HashMap<String, usize>>,
 }
 
 impl InputModel {
@@ -33,8 +37,11 @@ impl InputModel {
                 phases.map(codegen::layout::ParamId::index).collect(),
             )
         });
+        let varies = |axis: &Axis| plan.model.inertia_depends_on(&axis.name);
+        let names = { compiled.layout().parameters.iter().cloned() }.zip(0..);
         Ok(InputModel {
             gusts,
+            of_inertia: plan.axes.iter().any(varies).then(|| names.collect()),
             x: plan.release.state(),
             p: compiled.release_parameters(&plan.release).constants,
             thrown: thrown.transpose()?,
@@ -109,7 +116,8 @@ impl<'p> Inputs<'p> {
     }
 
     /// Writes the initial states `x` and parameters `p` of a flight for the drawn `values`, with quaternions of length
-    /// 1; `false` if one is out of its bounds or no state has the motion: such a flight is not simulated.
+    /// 1; `false` if one is out of its bounds, no body has such moments of inertia, or no state has the motion: such a flight
+    /// is not simulated.
     pub(crate) fn start(
         &mut self,
         flight: u64,
@@ -140,6 +148,13 @@ impl<'p> Inputs<'p> {
                     p[index] = *value;
                 }
             }
+        }
+        if let Some(places) = &self.model.of_inertia
+            && { &self.plan.model }
+                .inertia_fault(|own| p[places[&own.name]])
+                .is_some()
+        {
+            return false;
         }
         if let (Some(near), Some(throw)) = (&mut self.near, &self.throw) {
             return near.state(throw, [0.0; 2], p, x).is_ok();

@@ -105,7 +105,7 @@ pub fn run(
         "parts": plan.parts(),
         "flights_per_part": plan.part_len(),
     });
-    let folder = PartsFolder::open(out, plan.fingerprint(), about)?;
+    let folder = PartsFolder::open(out, plan.fingerprint(), about, options.share.is_some())?;
     if folder.file(FLIGHTS).is_file()
         && let Some(summary) = folder.summary()
     {

@@ -41,14 +41,15 @@ pub(super) fn unread(
             None => format!("{header}: not read; {option}"),
         });
     }
-    let has = |quantity: Q| used.iter().any(|own| own.column.quantity == quantity);
-    let missing = match (has(Q::Speed), has(Q::Spin)) {
-        (false, false) => "neither the speed nor the spin of the release is read",
-        (false, true) => "the speed of the release is not read",
-        (true, false) => "the spin of the release is not read",
-        (true, true) => return lines,
-    };
-    lines.push(missing.to_owned());
+    for (quantity, unit) in [(Q::Speed, "mph"), (Q::Spin, "rpm")] {
+        if used.iter().all(|own| own.column.quantity != quantity) {
+            let name = quantity.name();
+            lines.push(format!(
+                "no column is the {name} of the release, which is unknown in each shot then, and what a fit finds may rest on that: \
+                 export it, or name its column, --column \"HEADER={name},{unit}\""
+            ));
+        }
+    }
     lines
 }
 

@@ -6,23 +6,12 @@ mod folder;
 mod manifest;
 #[cfg(test)]
 mod tests;
+mod text;
 
 pub use atomic::{Durability, UNFINISHED, write_atomic, write_atomic_with};
 pub use folder::{ResultFolder, ResultFolderError, write_new_folder};
 pub use manifest::MANIFEST;
-
-use std::io;
-use std::path::Path;
-
-/// Text of a file of at most `most` bytes.
-pub fn bounded_text(path: &Path, most: u64) -> io::Result<String> {
-    let size = std::fs::metadata(path)?.len();
-    if size > most {
-        let message = format!("has {size} bytes; expected at most {most}");
-        return Err(io::Error::other(message));
-    }
-    std::fs::read_to_string(path)
-}
+pub use text::{Unreadable, bounded_text, json};
 
 /// A result file to be written to a folder.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -157,10 +157,10 @@ impl<'t> Reader<'t> {
             .as_ref()
             .map_or_else(|| PathBuf::from(file), |own| own.join(file));
         let place = path.display();
-        let text = match bounded_text(&path, MAX_TABLE_BYTES) {
+        let text = match bounded_text(&path, MAX_TABLE_BYTES, "a table of inputs") {
             Ok(text) => text,
             Err(error) => {
-                return self.refuse(value.span(), format!("{place} cannot be read: {error}"));
+                return self.refuse(value.span(), format!("{place}: {error}"));
             }
         };
         let inputs = match read_inputs(&text, interpolation, |time| time) {

@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use model_spec::location::line_and_column;
-
 use super::{Fault, ReleaseError};
+use crate::files::{Unreadable, bounded_text};
 
 /// Reads a text file and passes its name and text to `read`; `what` describes the expected file, as in `a release`.
 ///
@@ -17,26 +16,11 @@ pub fn read_text<V>(
     read: impl FnOnce(&str, &str) -> Result<V, ReleaseError>,
 ) -> Result<V, ReleaseError> {
     let file = path.display().to_string();
-    let refuse = |location, message: String| ReleaseError {
-        file: file.clone(),
-        faults: vec![Fault { location, message }],
-    };
-    let unreadable = |e: std::io::Error| refuse(None, format!("cannot be read: {e}"));
-    let size = std::fs::metadata(path).map_err(unreadable)?.len();
-    if size > max_bytes {
-        let message = format!("has {size} bytes; {what} has at most {max_bytes}");
-        return Err(refuse(None, message));
-    }
-    let bytes = std::fs::read(path).map_err(unreadable)?;
-    match std::str::from_utf8(&bytes) {
-        Ok(text) => read(&file, text),
-        Err(e) => {
-            let good = String::from_utf8_lossy(&bytes[..e.valid_up_to()]);
-            let message = format!(
-                "found the byte {:#04x}; expected UTF-8 text",
-                bytes[e.valid_up_to()]
-            );
-            Err(refuse(Some(line_and_column(&good, good.len())), message))
-        }
+    match bounded_text(path, max_bytes, what) {
+        Ok(text) => read(&file, &text),
+        Err(Unreadable { location, message }) => Err(ReleaseError {
+            file,
+            faults: vec![Fault { location, message }],
+        }),
     }
 }

@@ -442,3 +442,39 @@ fn evaluations(
     let plain = integrate_to_end(&mut unwatched, (0.0, &start), 2.0, options, &mut []);
     [end, plain].map(|end| end.expect("it flies").stats.evaluations)
 }
+
+/// Three values of a step show nothing of a sine whose angle the state turns more than once in it.
+#[test]
+fn pulses_of_an_angle_that_the_state_turns_are_seen() {
+    let text = |turned: f64| {
+        format!(
+            "model wheel;\nframe N;\nstate phi = 0 rad;\nstate om = {turned} rad/s;\nstate v = 0 m/s;\n\
+             der(phi) = om;\nder(om) = -0.5 [/s]*om;\nder(v) = 3 [m/s^2]*step(sin(phi) - 0.995);\n"
+        )
+    };
+    for turned in [3.0, 60.0, 600.0] {
+        // phi = 2*turned*(1 - exp(-t/2)): the time of each passage, from the angle.
+        let time = |phi: f64| -2.0 * (1.0 - phi / (2.0 * turned)).ln();
+        let end = 2.0 * turned * (1.0 - (-2.5_f64).exp());
+        let (first, turn) = (0.995_f64.asin(), std::f64::consts::TAU);
+        let pulses = (0..)
+            .map(|k| f64::from(k) * turn)
+            .take_while(|from| from + first < end);
+        let pulse = |from: f64| time((from + turn / 2.0 - first).min(end)) - time(from + first);
+        let expected: f64 = pulses.map(|from| 3.0 * pulse(from)).sum();
+        let model = from_text("wheel", &text(turned), &[]).expect("a model");
+        let compiled = CompiledModel::new(&model);
+        let bound = compiled.bind(compiled.layout().default_parameters());
+        for options in methods() {
+            let start: ModelState = compiled.layout().default_states().into();
+            let end = integrate_to_end(&mut bound.rhs(), (0.0, &start), 5.0, &options, &mut []);
+            let found = end.expect("it turns").state[2];
+            let error = (found - expected).abs() / expected;
+            assert!(
+                error < MISSED,
+                "{turned}, {:?}: {found} {expected}",
+                options.method
+            );
+        }
+    }
+}

@@ -284,7 +284,7 @@ impl Screened<'_> {
         });
         results.extend(state.ids.into_iter().zip(reports.into_iter().zip(fitted)));
         results.extend(self.held_out.into_iter().zip(predicted));
-        let (reports, flights) = results.into_values().unzip();
+        let (reports, flights): (_, Vec<Option<FittedFlight>>) = results.into_values().unzip();
         report.flights = reports;
         let is_excluded =
             |fault: &DataFault| report.excluded().any(|flight| flight.file == fault.file);
@@ -296,6 +296,9 @@ impl Screened<'_> {
         }
         report.marker_distances = marker_distances;
         report.notes = summaries::notes(problem, dataset);
+        let rows = flights.iter().flatten().map(|own| &own.observations);
+        let rows = rows.filter(|own| own.is_summary);
+        report.notes.extend(summaries::assumptions(problem, rows));
         report.notes.extend(inputs::notes(problem, dataset));
         report.notes.extend(marker_noise::notes(problem, &noise));
         report.far_constants = far_constants(problem, dataset);

@@ -3,16 +3,18 @@
 use super::FitError;
 use super::residual_cache::{ResidualCache, exclude_failed};
 use super::state::State;
-use crate::channel::ChannelKind;
+use crate::channel::{Channel, ChannelKind};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
+use crate::numbers::significant;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::summary::SummaryModel;
-use crate::summary_value::SummaryValue;
+use crate::summary_value::{ASSUMED, SummaryValue, of_unit};
 use dataset::{Dataset, SummaryQuantity};
 use flight::throw::Throw;
 use nalgebra::DVector;
+use std::fmt::{self, Display};
 
 /// Flights of summaries with their initial states, and those that cannot be used.
 #[derive(Default)]
@@ -78,6 +80,82 @@ pub fn initial_state(
     let summary = problem.summary.as_ref().ok_or(FlightError::NoMeasurement)?;
     let state = summary.initial_state(problem, observations)?;
     Ok(observations.with_known_states(DVector::from_vec(state)))
+}
+
+/// What a row is assumed to have where it does not tell it: the quantity, value and standard deviation, and which rows.
+/// `None` for a channel that is no such assumption, or one that a standard deviation takes as exact.
+pub fn assumed<'o>(
+    channel: &Channel,
+    index: usize,
+    rows: impl Iterator<Item = &'o Observations>,
+) -> Option<Assumed> {
+    let (Some(value), ChannelKind::Summary(SummaryValue::Column(quantity))) =
+        (channel.assumed, channel.kind)
+    else {
+        return None;
+    };
+    let unit = quantity.si_unit();
+    let sigma = channel
+        .sigma
+        .filter(|sigma| *sigma > of_unit(&ASSUMED, unit))?;
+    let (mut lacking, mut all) = (0, 0);
+    for row in rows {
+        all += 1;
+        lacking += usize::from(row.value(0, index).is_some());
+    }
+    let (value, sigma) = (significant(value, 3), significant(sigma, 3));
+    Some(Assumed {
+        quantity: quantity.name(),
+        value: format!("{value} ± {sigma} {unit}"),
+        more: format!("{sigma} {unit}"),
+        lacking,
+        all,
+    })
+}
+
+/// An assumption of the releases of rows, in words.
+pub struct Assumed {
+    quantity: &'static str,
+    value: String,
+    /// Its standard deviation, with unit.
+    pub more: String,
+    lacking: usize,
+    all: usize,
+}
+
+impl Display for Assumed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Assumed {
+            quantity,
+            value,
+            lacking,
+            all,
+            ..
+        } = self;
+        match lacking == all {
+            true => write!(
+                f,
+                "no column tells the {quantity}, which each row is assumed to have as {value}"
+            ),
+            false => write!(
+                f,
+                "{lacking} of {all} rows have no {quantity}, and are assumed to have {value}"
+            ),
+        }
+    }
+}
+
+/// What rows are assumed to have, one sentence for each quantity.
+pub fn assumptions<'o>(
+    problem: &FitProblem,
+    rows: impl Iterator<Item = &'o Observations> + Clone,
+) -> Vec<String> {
+    let channels = problem.channels.iter().enumerate();
+    let found = channels.filter_map(|(index, own)| assumed(own, index, rows.clone()));
+    found
+        .filter(|own| own.lacking > 0)
+        .map(|own| own.to_string())
+        .collect()
 }
 
 /// What the dataset says of its recordings, and which columns are taken as exact.

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::state::State;
-use crate::channel::ChannelKind;
+use super::summaries::assumed;
 use crate::error::FlightError;
 use crate::least_squares::{NormalBlock, ScaledCholesky, pseudo_inverse};
 use crate::noise::NoiseModel;
@@ -15,7 +15,6 @@ use crate::numbers::{probability, significant};
 use crate::observations::Observations;
 use crate::predict::{add_state_priors, each_residual};
 use crate::problem::FitProblem;
-use crate::summary_value::SummaryValue;
 
 /// Maximum number of iterations, and relative change of the standard deviations at their end.
 const ITERATIONS: (usize, f64) = (50, 1e-4);
@@ -183,7 +182,7 @@ pub fn doubt(
     };
     let p_value = distribution.sf(squares);
     if p_value >= LEVEL {
-        return Ok(doubt_of_assumptions(problem, &sums, covariance));
+        return Ok(doubt_of_assumptions(state, &sums, covariance));
     }
     Ok(Some(format!(
         "the residuals of the rows are {} times their stated standard deviations (chi-squared test, p = {}): \
@@ -195,34 +194,26 @@ pub fn doubt(
 
 /// Why estimates follow from what is assumed of releases: the rows may all differ from it in the same way.
 fn doubt_of_assumptions(
-    problem: &FitProblem,
+    state: &State<'_>,
     sums: &BTreeMap<usize, Sums>,
     covariance: &DMatrix<f64>,
 ) -> Option<String> {
+    let problem = state.problem;
     let worst = sums.iter().flat_map(|(channel, own)| {
-        let channel = &problem.channels[*channel];
-        let sigma = channel
-            .sigma
-            .filter(|_| channel.assumed.is_some())
-            .unwrap_or(0.0);
+        let of = &problem.channels[*channel];
+        let sigma = of.sigma.filter(|_| of.assumed.is_some()).unwrap_or(0.0);
         own.shift.iter().enumerate().map(move |(index, shift)| {
             let error = covariance[(index, index)].max(f64::MIN_POSITIVE).sqrt();
-            (channel, index, (shift * sigma / error).abs())
+            (*channel, index, (shift * sigma / error).abs())
         })
     });
     let (channel, index, moved) = worst.max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let (ChannelKind::Summary(SummaryValue::Column(quantity)), Some(assumed)) =
-        (channel.kind, channel.assumed)
-    else {
-        return None;
-    };
+    let rows = state.flights.iter().filter(|flight| flight.is_summary);
+    let assumed = assumed(&problem.channels[channel], channel, rows)?;
     (moved > MOST_BY_ASSUMPTION).then(|| {
-        let (name, unit) = (quantity.name(), quantity.si_unit());
-        let sigma = significant(channel.sigma.unwrap_or(0.0), 3);
         format!(
-            "no column tells the {name}, which each row is assumed to have as {} ± {sigma} {unit}: if all had {sigma} {unit} \
-             more, {} would be {} standard errors off",
-            significant(assumed, 3),
+            "{assumed}: if all had {} more, {} would be {} standard errors off",
+            assumed.more,
             problem.globals[index].name,
             significant(moved, 2)
         )

@@ -379,3 +379,36 @@ fn derivatives_at_events_are_those_of_differences() {
     let throws = from_texts(manifest, &tables).expect("a dataset");
     assert!(worst_derivative("disc", &throws) < 1e-3);
 }
+
+#[test]
+fn what_rows_do_not_tell_of_the_spin_is_told() {
+    let model = model_spec::load::load("golf_ball", &[]).expect("built in");
+    let manifest = "model = \"golf_ball\"\n[[summaries]]\nfile = \"shots.csv\"\n[summaries.columns]\n\
+        Speed = { is = \"speed\", unit = \"mph\" }\nLaunch = { is = \"launch\", unit = \"deg\" }\n\
+        Spin = { is = \"spin\", unit = \"rpm\" }\nCarry = { is = \"carry\", unit = \"yd\" }\n";
+    let noted = |spins: [&str; 4], manifest: &str| {
+        let mut table = String::from("Speed,Launch,Spin,Carry\n");
+        for (k, spin) in spins.into_iter().enumerate() {
+            let _ = writeln!(table, "{},12,{spin},{}", 140 + 5 * k, 225 + 8 * k);
+        }
+        let tables = BTreeMap::from([("shots.csv".to_owned(), table)]);
+        let dataset = from_texts(manifest, &tables).expect("a dataset");
+        let options = FitOptions {
+            fixed: &["C_Ds", "C_DRe", "C_L1", "n_L", "C_N"].map(|name| (name.to_owned(), None)),
+            ..FitOptions::default()
+        };
+        fit(&model, &dataset, &options)
+            .expect("a fit")
+            .report
+            .notes
+            .join("\n")
+    };
+    let of_some = noted(["2500", "", "2600", ""], manifest);
+    let expected = "2 of 4 rows have no spin, and are assumed to have 267 ± 300 rad/s";
+    assert!(of_some.contains(expected), "{of_some}");
+    let of_all = noted(["2500", "2400", "2600", "2700"], manifest);
+    assert!(!of_all.contains("assumed"), "{of_all}");
+    let without = manifest.replace("Spin = { is = \"spin\", unit = \"rpm\" }\n", "");
+    let of_none = noted(["", "", "", ""], &without);
+    assert!(of_none.contains("no column tells the spin"), "{of_none}");
+}

@@ -37,7 +37,7 @@ crate::operators!([T: Field] Dual<T> {
     Sub sub(a, b) => Self::new(a.value - b.value, a.derivative - b.derivative),
     Mul mul(a, b) => Self {
         value: a.value * b.value,
-        derivative: a.derivative * b.value + a.value * b.derivative,
+        derivative: moved(a.derivative, b.value) + moved(b.derivative, a.value),
     },
     Div div(a, b) => {
         let value = a.value / b.value;
@@ -52,6 +52,7 @@ crate::constants!([T: Field] Dual<T> {
     is_zero(a) => a.value.is_zero() && a.derivative.is_zero(),
     one => Self::constant(T::one()),
     integer(n) => Self::constant(T::integer(n)),
+    is_nothing(a) => a.derivative.is_nothing() && a.value.is_nothing(),
 });
 
 impl<T: Real> Real for Dual<T> {
@@ -102,6 +103,14 @@ impl<T: Real> Real for Dual<T> {
             value: self.value.atan2(x.value),
             derivative: (x.value * self.derivative - self.value * x.derivative) / square,
         }
+    }
+}
+
+/// A derivative times a factor. Most derivatives of nested dual numbers are 0, and their products are what costs.
+fn moved<T: Field>(derivative: T, factor: T) -> T {
+    match derivative.is_nothing() {
+        true => derivative,
+        false => derivative * factor,
     }
 }
 

@@ -64,6 +64,7 @@ crate::constants!([] ErrorBound {
     is_zero(a) => a.value == 0.0,
     one => Self::lit(1.0),
     integer(n) => Self::lit(n as f64),
+    is_nothing(a) => a.magnitude == 0.0,
 });
 
 impl Real for ErrorBound {

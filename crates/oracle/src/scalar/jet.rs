@@ -35,6 +35,7 @@ crate::constants!([T: Field] Jet<T> {
     is_zero(a) => a.0.is_zero(),
     one => Self::constant(T::one()),
     integer(n) => Self::constant(T::integer(n)),
+    is_nothing(a) => a.0.is_nothing(),
 });
 
 impl<T: Real> Real for Jet<T> {

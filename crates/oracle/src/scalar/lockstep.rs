@@ -53,6 +53,7 @@ crate::constants!([A: Field, B: Field] Lockstep<A, B> {
     is_zero(a) => a.first.is_zero() && a.second.is_zero(),
     one => Self { first: A::one(), second: B::one() },
     integer(n) => Self { first: A::integer(n), second: B::integer(n) },
+    is_nothing(a) => a.first.is_nothing() && a.second.is_nothing(),
 });
 
 impl<A: Real, B: Real> Real for Lockstep<A, B> {

@@ -42,6 +42,12 @@ pub trait Field:
 {
     /// The integer `value` as a scalar of this type.
     fn integer(value: i64) -> Self;
+
+    /// Whether the scalar is 0 in each part: no term of it has cancelled, and it has no derivative.
+    #[inline]
+    fn is_nothing(&self) -> bool {
+        self.is_zero()
+    }
 }
 
 /// A [`Field`] with the functions of the model language and their defined values at singular points.

@@ -92,6 +92,7 @@ macro_rules! constants {
         is_zero($value:ident) => $is_zero:expr,
         one => $one:expr,
         integer($integer:ident) => $of_integer:expr,
+        $(is_nothing($part:ident) => $is_nothing:expr,)?
     }) => {
         impl<$($generics)*> ::num_traits::Zero for $type {
             fn zero() -> Self {
@@ -111,6 +112,11 @@ macro_rules! constants {
             fn integer($integer: i64) -> Self {
                 $of_integer
             }
+            $(#[inline]
+            fn is_nothing(&self) -> bool {
+                let $part = self;
+                $is_nothing
+            })?
         }
     };
 }
