@@ -80,7 +80,7 @@ impl DiagnosisBuilder {
         };
         let found = diagnose::diagnose(self.fit.model().checked(), dataset, &options)?;
         let extended = match found.after {
-            Some((extension, fit)) => Some(Fit::new(fit, extension.tree(), dataset)?),
+            Some((extension, fit)) => Some(Fit::new(fit, &extension.model, dataset)?),
             None => None,
         };
         Ok(Diagnosis {

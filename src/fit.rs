@@ -4,7 +4,6 @@ use std::time::Instant;
 
 use dataset::Dataset;
 use identify::{CancellationToken, DataFault, FitOptions, FitReport, Prior, Progress};
-use model_spec::compose::ModelTree;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use crate::{Error, Flight, Model, Release};
@@ -93,8 +92,7 @@ impl FitBuilder {
         let options = self.options(progress);
         let fit = identify::fit(self.model.checked(), dataset, &options)?;
         let fit = fit.with_lack_of_fit(options.threads())?;
-        let tree = ModelTree::of(self.model.checked());
-        Fit::new(fit, &tree, dataset)
+        Fit::new(fit, self.model.checked(), dataset)
     }
 
     pub(crate) fn options<'a>(&'a self, progress: Option<&'a dyn Progress>) -> FitOptions<'a> {
@@ -151,10 +149,10 @@ impl Fit {
 
     pub(crate) fn new(
         fit: identify::Fit,
-        tree: &ModelTree,
+        model: &model_spec::model::Model,
         dataset: &Dataset,
     ) -> Result<Fit, Error> {
-        let text = fit.fitted_text(tree, dataset, "")?;
+        let text = fit.fitted_text(model, dataset, "")?;
         Ok(Fit {
             model: Model::parse("fitted", &text)?,
             report: fit.report,

@@ -53,7 +53,6 @@ impl std::fmt::Debug for Effect {
 /// ```
 #[derive(Clone)]
 pub struct Model {
-    tree: ModelTree,
     checked: model_spec::model::Model,
     compiled: Arc<OnceLock<CompiledModel>>,
 }
@@ -80,8 +79,9 @@ impl Model {
     /// # Errors
     /// [`Error::Load`] if there is no such effect, or the extended model has faults.
     pub fn with_effect(&self, name_or_path: &str) -> Result<Model, Error> {
-        let effect = self.tree.find_effect(name_or_path)?;
-        Model::check(self.tree.with(&effect)?)
+        let tree = self.tree();
+        let effect = tree.find_effect(name_or_path)?;
+        Model::check(tree.with(&effect)?)
     }
 
     /// The model extended by an effect.
@@ -89,7 +89,7 @@ impl Model {
     /// # Errors
     /// [`Error::Load`] if the extended model has faults.
     pub fn with(&self, effect: &Effect) -> Result<Model, Error> {
-        Model::check(self.tree.with(&effect.0)?)
+        Model::check(self.tree().with(&effect.0)?)
     }
 
     /// The model with an effect that is declared and not applied, which a [`Diagnosis`](crate::Diagnosis) tests like the
@@ -98,7 +98,7 @@ impl Model {
     /// # Errors
     /// [`Error::Load`] if the effect does not fit the model.
     pub fn with_candidate(&self, effect: &Effect) -> Result<Model, Error> {
-        self.tree.with(&effect.0)?.check()?;
+        self.tree().with(&effect.0)?.check()?;
         let text = format!("{}\n{}\n", self.text(), effect.0);
         Model::parse(self.name(), &text)
     }
@@ -106,7 +106,6 @@ impl Model {
     fn check(tree: ModelTree) -> Result<Model, Error> {
         Ok(Model {
             checked: tree.check()?,
-            tree,
             compiled: Arc::default(),
         })
     }
@@ -129,7 +128,11 @@ impl Model {
 
     /// Text of the model in the model language, with the effects merged into its equations.
     pub fn text(&self) -> String {
-        self.tree.to_text("")
+        self.tree().to_text("")
+    }
+
+    fn tree(&self) -> ModelTree {
+        ModelTree::of(&self.checked)
     }
 
     /// The checked model.
@@ -201,7 +204,6 @@ impl Model {
         let (release, vocabulary) = release::read_in_wind(name, text, &[], |_| Ok(vocabulary))?;
         let model = match vocabulary.model.filter(|_| release.wind_field.is_some()) {
             Some(composed) => Model {
-                tree: ModelTree::of(&composed),
                 checked: model_spec::model::Model::clone(&composed),
                 compiled: Arc::default(),
             },

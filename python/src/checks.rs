@@ -28,7 +28,7 @@ pub fn verify(
         return Err(input(format!("cases is {cases}, expected 1 to 100000")));
     }
     let model = model.get();
-    let (name, text) = (model.shown(), model.tree.to_text(""));
+    let (name, text) = (model.shown(), model.model_text());
     let found = work::run(py, None, move |_| -> anyhow::Result<Report> {
         let loaded = inspect_text(&name, &text, &[])?;
         let options = ::verify::Options {

@@ -1,5 +1,6 @@
 //! Datasets: read from folders, or from texts in memory with the same checks.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -45,6 +46,15 @@ impl Dataset {
             comments: Vec::new(),
             decisions: String::new(),
         }
+    }
+
+    /// Name or path of the model, and its text where that is among the files of the dataset.
+    pub fn named_model(&self) -> (String, Option<&str>) {
+        let folder = self.folder.as_deref().unwrap_or(Path::new(""));
+        let own = self.beside.iter();
+        let own = own.filter(|(file, _)| *file == self.data.model);
+        let text = own.map(|(_, text)| text.as_str()).next();
+        (program::fit::model_of(folder, &self.data), text)
     }
 }
 
@@ -138,18 +148,14 @@ impl Dataset {
     }
 
     fn save_files(&self, folder: PathBuf) -> PyResult<()> {
-        let mut data = Data::clone(&self.data);
-        let mut beside = self.beside.clone();
-        if beside.iter().all(|(file, _)| *file != data.model) {
-            let origin = self.folder.as_deref().unwrap_or(Path::new(""));
-            let named = program::fit::model_of(None, origin, &data).map_err(raise)?;
-            if let Some(own) = program::fit::model_file(&named).map_err(raise)? {
-                data.model.clone_from(&own.0);
-                beside.push(own);
-            }
+        let mut data = Cow::Borrowed(&*self.data);
+        let mut beside = Cow::Borrowed(&self.beside[..]);
+        if let (named, None) = self.named_model()
+            && let Some(own) = program::fit::model_file(&named).map_err(raise)?
+        {
+            data.to_mut().model.clone_from(&own.0);
+            beside.to_mut().push(own);
         }
-        let beside = beside.iter();
-        let beside: Vec<_> = beside.map(|(name, text)| (&**name, text.clone())).collect();
         dataset::write_commented(&folder, &data, &beside, &self.comments).map_err(|error| {
             let text = format!("{}: {error}", folder.display());
             of_class("FolderError", &text)

@@ -52,7 +52,7 @@ impl Diagnosis {
     fn model_text(&self) -> PyResult<Option<String>> {
         let text = self.with(|found| {
             let after = found.after.as_ref();
-            after.map(|(extension, fit)| fit.fitted_text(extension.tree(), &self.data, ""))
+            after.map(|(extension, fit)| fit.fitted_text(&extension.model, &self.data, ""))
         });
         text.transpose().map_err(raise)
     }

@@ -74,11 +74,9 @@ pub fn model_of(model: Option<&Bound<'_, Model>>, dataset: &Dataset) -> PyResult
     if let Some(model) = model {
         return Ok(Arc::clone(&model.get().checked));
     }
-    let folder = dataset.folder.as_deref().unwrap_or(Path::new(""));
-    let name = program::fit::model_of(None, folder, &dataset.data).map_err(raise)?;
-    let mut beside = dataset.beside.iter();
-    let tree = match beside.find(|(file, _)| *file == dataset.data.model) {
-        Some((file, text)) => ModelTree::parse(file, text),
+    let (name, own) = dataset.named_model();
+    let tree = match own {
+        Some(text) => ModelTree::parse(&dataset.data.model, text),
         None => ModelTree::load(&name),
     };
     Ok(Model::of(tree.map_err(raise)?, name)?.checked)
@@ -105,8 +103,8 @@ impl Fit {
     }
 
     fn fitted_text(&self) -> PyResult<String> {
-        let tree = ModelTree::of(&self.model);
-        self.fit.fitted_text(&tree, &self.data, "").map_err(raise)
+        let text = self.fit.fitted_text(&self.model, &self.data, "");
+        text.map_err(raise)
     }
 }
 

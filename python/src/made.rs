@@ -97,7 +97,7 @@ pub fn synthesize(
     let mut data = made.dataset;
     if !model.is_built_in() {
         let file = format!("{}.hyz", model.checked.name);
-        beside.push((file.clone(), model.tree.to_text("")));
+        beside.push((file.clone(), model.model_text()));
         data.model = file;
     }
     Ok(Dataset {

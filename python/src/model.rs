@@ -8,7 +8,6 @@ use codegen::tape_model::TapeModel;
 use flight::release::{Name, Vocabulary};
 use flight::{CompiledModel, ModelFunctions};
 use model_spec::ModelTree;
-use model_spec::compose::ValueError;
 use model_spec::layout::Layout;
 use model_spec::model::Model as Checked;
 use pyo3::prelude::*;
@@ -20,8 +19,6 @@ use crate::errors::{input, raise};
 /// A checked model of a flying body.
 #[pyclass(subclass, frozen, module = "hyzer._hyzer")]
 pub struct Model {
-    /// The syntax tree, with effects and values.
-    pub tree: ModelTree,
     /// The checked model.
     pub checked: Arc<Checked>,
     /// The layout of states and parameters.
@@ -61,14 +58,12 @@ impl Model {
             true => ModelTree::parse("<text>", &source),
             false => ModelTree::load(&source),
         };
-        let mut tree = tree
-            .and_then(|tree| tree.with_named(effects))
-            .map_err(raise)?;
+        let tree = tree.and_then(|tree| tree.with_named(effects));
+        let mut model = Model::of(tree.map_err(raise)?, source)?;
         let is_file = |name: &String| Path::new(name).is_file();
-        let mut replaced = Vec::new();
         if let Some(parameters) = parameters {
-            replaced = pairs(parameters, "parameters")?;
-            let known = Vocabulary::of(&tree.check().map_err(raise)?);
+            let replaced = pairs(parameters, "parameters")?;
+            let known = Vocabulary::of(&model.checked);
             for (name, value) in &replaced {
                 let mut known = known.parameters.iter().chain(&known.coefficients);
                 let known = known.find(|known| known.name == *name);
@@ -79,16 +74,15 @@ impl Model {
             }
             let values = replaced.iter();
             let values = values.map(|(name, value)| (name.as_str(), *value));
-            tree = tree.with_values(values).map_err(|error| match error {
-                ValueError::Load(error) => raise(error),
-                other => input(other.to_string()),
-            })?;
+            let tree = model.checked.with_values(values);
+            let tree = tree.map_err(|error| input(error.to_string()))?;
+            model = Model::of(tree, model.source)?;
+            model.replaced = replaced;
         }
         Ok(Model {
-            is_of_files: is_file(&source) || effects.iter().any(is_file),
+            is_of_files: is_file(&model.source) || effects.iter().any(is_file),
             added: effects.to_vec(),
-            replaced,
-            ..Model::of(tree, source)?
+            ..model
         })
     }
 
@@ -98,7 +92,6 @@ impl Model {
         Ok(Model {
             layout: Layout::new(&checked),
             checked: Arc::new(checked),
-            tree,
             source,
             is_of_files: false,
             added: Vec::new(),
@@ -108,6 +101,11 @@ impl Model {
             constants: OnceLock::new(),
             overruled: OnceLock::new(),
         })
+    }
+
+    /// The text of the model, with effects and values.
+    pub fn model_text(&self) -> String {
+        ModelTree::of(&self.checked).to_text("")
     }
 
     /// Whether the model was loaded from a text.

@@ -43,7 +43,7 @@ impl Model {
     /// The model in the model language, with the effects merged into its equations.
     #[getter]
     fn text(&self) -> String {
-        self.tree.to_text("")
+        self.model_text()
     }
 
     /// Whether its body turns, so that a throw has a spin.
@@ -337,7 +337,7 @@ impl Model {
     /// What makes the same model: names where all is built in, else its text.
     fn made(&self) -> (String, Vec<String>, BTreeMap<String, f64>) {
         if self.is_text() || self.is_of_files {
-            return (self.tree.to_text(""), Vec::new(), BTreeMap::new());
+            return (self.model_text(), Vec::new(), BTreeMap::new());
         }
         let replaced = self.replaced.iter().cloned().collect();
         (self.source.clone(), self.added.clone(), replaced)

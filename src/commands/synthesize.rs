@@ -20,15 +20,13 @@ pub(super) fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     let (model, releases) = prepare(options)?;
     let plan = plan(options)?;
     let mut made = flights(&model, &releases, &plan)?;
-    let mut beside = Vec::new();
     // A model that is not built in is copied into the dataset.
     let named = options.model.as_deref().unwrap_or(&releases[0].model);
-    let own = model_file(named)?;
-    if let Some((file, text)) = &own {
-        beside.push((file.as_str(), text.clone()));
+    let mut beside = Vec::from_iter(model_file(named)?);
+    if let [(file, _)] = &beside[..] {
         made.dataset.model.clone_from(file);
     }
-    beside.push(("truth.toml", made.truth.text()));
+    beside.push(("truth.toml".to_owned(), made.truth.text()));
     progress::writing(|| write_with(&options.out, &made.dataset, &beside))
         .with_context(|| format!("--out {}", options.out.display()))?;
     output::print(summary(&made, &options.out))?;

@@ -65,7 +65,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         write_with(
             &case_folder,
             &dataset(&TWENTY, &seeded, seed),
-            &[("truth.json", truth_text)],
+            &[("truth.json".into(), truth_text)],
         )?;
         facts["name"] = name.into();
         index.push(facts);

@@ -30,7 +30,7 @@ pub fn write(folder: &Path, dataset: &Dataset) -> io::Result<()> {
 ///
 /// # Errors
 /// Those of [`write`](fn@write), or if two files have the same name.
-pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(&str, String)]) -> io::Result<()> {
+pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(String, String)]) -> io::Result<()> {
     write_commented(folder, dataset, beside, &[])
 }
 
@@ -41,7 +41,7 @@ pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(&str, String)]) -
 pub fn write_commented(
     folder: &Path,
     dataset: &Dataset,
-    beside: &[(&str, String)],
+    beside: &[(String, String)],
     comments: &[String],
 ) -> io::Result<()> {
     let manifest = commented(&manifest_text(dataset), comments);
@@ -60,8 +60,7 @@ pub fn write_commented(
             "the dataset holds values that no file does: a position or a time that is not finite, or too few of them".into(),
         ));
     }
-    let beside = beside.iter();
-    files.extend(beside.map(|(name, text)| ((*name).to_owned(), text.clone())));
+    files.extend_from_slice(beside);
     let mut names = BTreeSet::new();
     if let Some((name, _)) = files.iter().find(|(name, _)| !names.insert(name.as_str())) {
         return Err(invalid(format!("two files {name} in one dataset")));

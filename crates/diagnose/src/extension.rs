@@ -13,7 +13,6 @@ pub struct ExtendedModel {
     pub model: Model,
     /// Source texts of the effects created from library terms, the last ones of `effects`.
     pub written: Vec<String>,
-    tree: ModelTree,
 }
 
 impl ExtendedModel {
@@ -32,18 +31,12 @@ impl ExtendedModel {
             effects: names.iter().cloned().chain(written_names).collect(),
             model: tree.check()?,
             written: written.iter().map(EffectTree::to_string).collect(),
-            tree,
         })
-    }
-
-    /// Syntax tree of the extended model, with the effects merged into its equations.
-    pub fn tree(&self) -> &ModelTree {
-        &self.tree
     }
 
     /// Source text with every effect merged into the equations; `note` is appended to its first comment.
     pub fn text(&self, note: &str) -> String {
-        self.tree.to_text(note)
+        ModelTree::of(&self.model).to_text(note)
     }
 }
 

@@ -12,7 +12,7 @@ use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::fixed_axis::point_along;
 use crate::inputs;
-use crate::problem::{FitProblem, StatePrior};
+use crate::problem::{FitProblem, RESIDUAL_TOLERANCE, StatePrior};
 use crate::state_manifold::StateManifold;
 use dataset::pose::{Pose, pose};
 use dataset::statistics::median_of;
@@ -304,6 +304,11 @@ impl Observations {
             state[id.index()] = value;
         }
         state
+    }
+
+    /// Tolerance, m, of the integration for residuals without derivatives.
+    pub(crate) fn residual_tolerance(&self, problem: &FitProblem) -> f64 {
+        RESIDUAL_TOLERANCE * problem.sigma0 * self.tolerance_factor
     }
 
     /// Parameters in the order of the compiled model, SI, with the given values of the global ones, and the inputs over

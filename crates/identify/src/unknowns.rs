@@ -10,7 +10,7 @@ use model_spec::model::Model;
 use crate::error::FitError;
 use crate::fit::{self, Fit};
 use crate::inputs;
-use crate::levels::AT_NOISE;
+use crate::levels::{AT_NOISE, FEW_FLIGHTS};
 use crate::options::{FitOptions, Prior};
 use crate::problem::measured;
 use crate::vertical;
@@ -87,7 +87,7 @@ impl Resolved<'_> {
         let set: BTreeMap<String, f64> = set.map(|(name, value)| (name.clone(), *value)).collect();
         if !set.is_empty() {
             let values = set.iter().map(|(name, value)| (name.as_str(), *value));
-            let tree = ModelTree::of(&self.model).with_values(values);
+            let tree = self.model.with_values(values);
             let checked = tree.map_err(|error| error.to_string())?.check();
             self.model = checked.map_err(|error| error.to_string())?;
             let parameters = &mut self.dataset.to_mut().parameters;
@@ -264,9 +264,6 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
 
 // Datasets whose vertical is not known: it is estimated with the other parameters, from several directions.
 
-/// Maximum number of flights that are fitted from each direction.
-const TRIED_FLIGHTS: usize = 6;
-
 /// Upward vectors that are tried, along the measured axes and halfway between two of them.
 fn directions() -> Vec<[f64; 3]> {
     let all =
@@ -311,7 +308,7 @@ fn with_vertical(
 ) -> Result<Model, FitError> {
     let mut few = dataset.clone();
     few.flights.retain(|flight| flight.role == Role::Fit);
-    few.flights.truncate(TRIED_FLIGHTS);
+    few.flights.truncate(FEW_FLIGHTS);
     let of_few = FitOptions {
         profiles: &[],
         progress: None,

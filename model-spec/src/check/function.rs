@@ -177,19 +177,17 @@ impl<'a> Checker<'a> {
     /// Requires the shape, frame and unit of an argument or a result; `None`, with an error reported, for another shape.
     fn must_have_type(&mut self, typed: &Typed, ascription: &Ascription) -> Option<(Shape, Term)> {
         let (shape, term) = self.type_of(&ascription.of)?;
-        let function = &ascription.function;
-        let what = match &ascription.parameter {
-            Some(parameter) => format!("the argument `{}` of `{function}`", parameter.text),
-            None => format!("the result of `{function}`"),
-        };
         let earlier = self.diagnostics.len();
-        let fits = self.must_have_shape(typed, shape, &what);
+        let fits = self.must_have_shape(typed, shape, ascription);
         if fits {
             let should = self.described(&term);
-            self.must_be(typed, &term, &format!("{what} must be {should}"));
+            self.must_be(typed, &term, &format!("{ascription} must be {should}"));
         }
         // Of two parameters with one name, nobody can tell which is meant.
-        if self.declared_function(function).is_some_and(has_doubled) {
+        if self
+            .declared_function(&ascription.function)
+            .is_some_and(has_doubled)
+        {
             self.diagnostics.truncate(earlier);
         }
         if let Some(parameter) = &ascription.parameter {
@@ -202,23 +200,20 @@ impl<'a> Checker<'a> {
         fits.then_some((shape, term))
     }
 
-    fn must_have_shape(&mut self, typed: &Typed, expected: Shape, what: &str) -> bool {
+    fn must_have_shape(&mut self, typed: &Typed, expected: Shape, what: &Ascription) -> bool {
         let span = typed.expr.span;
         let text = self.text(span);
         let name = |frame: usize| &self.model.frames[frame].name;
         let fault = match (expected, typed.expr.shape) {
-            (Shape::Scalar, Shape::Vector(_)) => {
+            (Shape::Scalar, Shape::Vector(frame)) => {
                 let message = format!("{what} must be a number, but `{text}` is a vector");
-                let of_result = what.starts_with("the result");
-                Diagnostic::new(Kind::Shape, span, message).help(
-                    match (of_result, typed.expr.shape) {
-                        (true, Shape::Vector(frame)) => format!(
-                            "state what is returned, behind the parameters: `): vector … in {}`",
-                            name(frame)
-                        ),
-                        _ => format!("take its length `norm({text})`, or one component `….1`"),
-                    },
-                )
+                Diagnostic::new(Kind::Shape, span, message).help(match what.parameter {
+                    None => format!(
+                        "state what is returned, behind the parameters: `): vector … in {}`",
+                        name(frame)
+                    ),
+                    Some(_) => format!("take its length `norm({text})`, or one component `….1`"),
+                })
             }
             (Shape::Vector(_), Shape::Scalar) => {
                 let message = format!("{what} must be a vector, but `{text}` is a number");

@@ -6,7 +6,6 @@ use super::ModelTree;
 use crate::check;
 use crate::location::Span;
 use crate::model::Model;
-use crate::read::LoadError;
 use crate::syntax::ast::{
     Check, CheckPart, File, Input, ItemKind, Name, Number, Parameter, Quantity, UnitExpr,
 };
@@ -14,31 +13,28 @@ use crate::syntax::spelling::joined;
 
 use crate::unit::Unit;
 
-/// Error of [`ModelTree::with_values`], which replaces default values of parameters, coefficients and inputs.
+/// Error of [`Model::with_values`], which replaces default values of parameters, coefficients and inputs.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ValueError {
-    /// The model has errors before any value is replaced.
-    #[error(transparent)]
-    Load(#[from] LoadError),
     /// The model has no parameter, coefficient or component of an input of this name.
     #[error("the model has no parameter, coefficient or component of an input `{name}`")]
     UnknownName {
-        /// Name, as passed to [`ModelTree::with_values`], that the model does not declare.
+        /// Name, as passed to [`Model::with_values`], that the model does not declare.
         name: String,
     },
-    /// A value passed to [`ModelTree::with_values`] is infinite or not a number.
+    /// A value passed to [`Model::with_values`] is infinite or not a number.
     #[error("the value of `{name}` is {value}, expected a finite number")]
     NotFinite {
-        /// Name of the quantity whose new value is invalid, as passed to [`ModelTree::with_values`].
+        /// Name of the quantity whose new value is invalid, as passed to [`Model::with_values`].
         name: String,
-        /// The invalid value, as passed to [`ModelTree::with_values`]: infinite or NaN.
+        /// The invalid value, as passed to [`Model::with_values`]: infinite or NaN.
         value: f64,
     },
 }
 
-impl ModelTree {
-    /// Returns a copy of the tree in which parameters, coefficients and components of inputs (such as `wind_x`) have
+impl Model {
+    /// Returns a copy of the model's tree in which parameters, coefficients and components of inputs (such as `wind_x`) have
     /// the default values in `values`: pairs of name and value, SI. After a check of the copy, its default values equal
     /// these values bit for bit.
     ///
@@ -49,7 +45,7 @@ impl ModelTree {
     /// ```
     /// use model_spec::ModelTree;
     ///
-    /// let disc = ModelTree::load("disc")?;
+    /// let disc = ModelTree::load("disc")?.check()?;
     /// let fitted = disc.with_values([("C_D0", 0.0812)]).unwrap().check()?;
     /// let drag = fitted.coefficients.iter().find(|c| c.name == "C_D0").unwrap();
     /// assert_eq!(drag.value, 0.0812);
@@ -57,20 +53,19 @@ impl ModelTree {
     /// ```
     ///
     /// # Errors
-    /// [`ValueError`] if a name is unknown, a value is not finite, or the model has errors.
+    /// [`ValueError`] if a name is unknown or a value is not finite.
     pub fn with_values<'v>(
         &self,
         values: impl IntoIterator<Item = (&'v str, f64)>,
     ) -> Result<ModelTree, ValueError> {
-        let model = self.check()?;
-        let mut file = File::clone(&self.file);
+        let mut file = File::clone(&self.tree);
         let mut replaced = Vec::new();
         for (name, value) in values {
             if !value.is_finite() {
                 let name = name.to_owned();
                 return Err(ValueError::NotFinite { name, value });
             }
-            let before = replace(&mut file, &model, &joined(name), value);
+            let before = replace(&mut file, self, &joined(name), value);
             let before = before.ok_or_else(|| ValueError::UnknownName {
                 name: name.to_owned(),
             })?;
@@ -265,8 +260,8 @@ mod tests {
         marker p in N;\nobserve p_seen = position + p;\n\
         check \"drag\" { set u = 15 m/s; expect der(v) = 0 m/s^2 within 1e-12; expect drag = 0.8 kg/s within 1; }\n";
 
-    fn tree() -> ModelTree {
-        ModelTree::parse("kite.hyz", OWN).unwrap()
+    fn kite() -> Model {
+        load::from_text("kite.hyz", OWN, &[]).unwrap()
     }
 
     fn defaults(model: &Model) -> Vec<(String, f64)> {
@@ -282,11 +277,8 @@ mod tests {
 
     #[test]
     fn the_defaults_are_the_values_to_the_bit_whatever_their_units() {
-        let tree = tree();
-        let names: Vec<String> = defaults(&tree.check().unwrap())
-            .into_iter()
-            .map(|(name, _)| name)
-            .collect();
+        let kite = kite();
+        let names: Vec<String> = defaults(&kite).into_iter().map(|(name, _)| name).collect();
         let mut seed = 1_u64;
         for round in 0..200 {
             let values: Vec<(String, f64)> = names
@@ -299,7 +291,7 @@ mod tests {
                 })
                 .collect();
             let each = values.iter().map(|(name, value)| (name.as_str(), *value));
-            let changed = tree.with_values(each).unwrap();
+            let changed = kite.with_values(each).unwrap();
             let text = changed.to_text("Fitted.");
             let again = load::from_text("fitted.hyz", &text, &[]);
             let again = again.unwrap_or_else(|error| panic!("{error}\n{text}"));
@@ -315,7 +307,7 @@ mod tests {
 
     #[test]
     fn comments_units_and_bounds_stay() {
-        let changed = tree()
+        let changed = kite()
             .with_values([("m", 0.25), ("tilt", 0.25), ("span", 0.5), ("wind_y", 2.5)])
             .unwrap();
         let text = changed.to_text("Fitted.");
@@ -335,7 +327,7 @@ mod tests {
 
     #[test]
     fn a_check_case_keeps_the_defaults_that_it_was_stated_for() {
-        let disc = ModelTree::load("disc").unwrap();
+        let disc = load::load("disc", &[]).unwrap();
         let changed = disc.with_values([("C_D0", 0.08), ("C_L0", 0.3)]).unwrap();
         let text = changed.to_text("");
         let case = text.split("check \"drag alone").nth(1).unwrap();
@@ -345,23 +337,23 @@ mod tests {
         assert!(load::from_text("fitted.hyz", &text, &[]).is_ok(), "{text}");
         // Nothing changes if a value equals the default.
         let same = disc.with_values([("C_D0", 0.15)]).unwrap();
-        assert_eq!(same.to_text(""), disc.to_text(""));
+        assert_eq!(same.to_text(""), ModelTree::of(&disc).to_text(""));
     }
 
     #[test]
     fn a_bound_that_the_value_violates_is_dropped() {
-        let changed = tree().with_values([("C", 1.5)]).unwrap();
+        let changed = kite().with_values([("C", 1.5)]).unwrap();
         let model = changed.check().unwrap();
         assert_eq!(model.coefficients[0].bounds, None);
     }
 
     #[test]
     fn names_and_numbers_that_cannot_be_are_refused() {
-        let error = tree().with_values([("C_X", 1.0)]).unwrap_err();
+        let error = kite().with_values([("C_X", 1.0)]).unwrap_err();
         assert!(matches!(error, ValueError::UnknownName { name } if name == "C_X"));
-        let error = tree().with_values([("wind_w", 1.0)]).unwrap_err();
+        let error = kite().with_values([("wind_w", 1.0)]).unwrap_err();
         assert!(matches!(error, ValueError::UnknownName { .. }));
-        let error = tree().with_values([("C", f64::NAN)]).unwrap_err();
+        let error = kite().with_values([("C", f64::NAN)]).unwrap_err();
         assert!(matches!(error, ValueError::NotFinite { .. }));
     }
 }

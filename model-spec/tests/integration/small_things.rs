@@ -282,8 +282,8 @@ fn what_is_set_may_be_spelt_as_in_the_model() {
         "model spelt; frame N; param m = 1 kg; coefficient k[i] for i in 1..2 = 3 N; param ρ = 2;
         point p { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
         force f = (k[1] + k[2]*rho)*N.1; param twice = 2*m;";
-    let tree = model_spec::ModelTree::parse("spelt", text).unwrap();
-    let model = tree.with_values([("k[2]", 7.0), ("ρ", 5.0)]).unwrap();
+    let model = model_spec::load::from_text("spelt", text, &[]).unwrap();
+    let model = model.with_values([("k[2]", 7.0), ("ρ", 5.0)]).unwrap();
     let model = model.check().unwrap();
     assert_eq!(model.coefficients[1].value, 7.0);
     assert_eq!(model.params[1].value, 5.0);

@@ -125,7 +125,7 @@ pub fn files(found: &mut Diagnosis, dataset: &Dataset) -> anyhow::Result<Vec<Res
     let mut extended = None;
     if let Some((extension, fitted)) = &found.after {
         let note = note(&extension.effects, name) + " Its default values were fitted to it.";
-        let text = fitted.fitted_text(extension.tree(), dataset, &note)?;
+        let text = fitted.fitted_text(&extension.model, dataset, &note)?;
         let model = model_spec::load::from_text(EXTENDED, &text, &[])?;
         let code = generate_with(&codegen::rust::PlainRust, &[model]).into_iter();
         files.extend(code.map(|file| ResultFile::new(format!("{CODE}/{}", file.path), file.text)));

@@ -96,7 +96,8 @@ impl<'a> Inputs<'a> {
         once(held().chain(given.free.iter().map(|name| ("--free", &**name))))?;
         once(held().chain(priors.iter().map(|own| ("--prior", &*own.name))))?;
         let dataset = dataset::load_on(&given.dataset, given.threads)?;
-        let model = model_of(given.model.as_ref(), &given.dataset, &dataset)?;
+        let own = || model_of(&given.dataset, &dataset);
+        let model = given.model.clone().unwrap_or_else(own);
         let name = given.dataset.file_name();
         let name = name.unwrap_or(given.dataset.as_os_str());
         Ok(Inputs {
@@ -184,7 +185,7 @@ pub fn files(
     let evidence = evidence(fitted, &drawn(fitted));
     let page = report::fit::page(&page(fitted, model, &evidence));
     let note = format!("Default values fitted to {name} by `hyzer fit`.");
-    let fitted_model = fitted.fitted_text(&ModelTree::of(model), dataset, &note)?;
+    let fitted_model = fitted.fitted_text(model, dataset, &note)?;
     let mut files = vec![
         ResultFile::new("report.json", json + "\n"),
         ResultFile::new(FITTED, fitted_model),
@@ -206,21 +207,14 @@ pub fn files(
     Ok(files)
 }
 
-/// Path or name of the model of the option `--model`, or else that of the dataset, whose paths are relative to its folder.
-pub fn model_of(
-    asked: Option<&String>,
-    folder: &Path,
-    dataset: &Dataset,
-) -> anyhow::Result<String> {
-    if let Some(model) = asked {
-        return Ok(model.clone());
-    }
+/// Path or name of the model of the dataset, whose paths are relative to its folder.
+pub fn model_of(folder: &Path, dataset: &Dataset) -> String {
     let beside = folder.join(&dataset.model);
     let is_path =
         Path::new(&dataset.model).components().count() > 1 || dataset.model.ends_with(".hyz");
     match beside.to_str() {
-        Some(path) if is_path => Ok(path.to_owned()),
-        _ => Ok(dataset.model.clone()),
+        Some(path) if is_path => path.to_owned(),
+        _ => dataset.model.clone(),
     }
 }
 

@@ -43,9 +43,7 @@ pub(super) fn run(options: &Import) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let made = imported(options)?;
     let (dataset, decisions, out) = (&made.dataset, &made.decisions, &options.out);
-    let beside = made.beside.iter();
-    let beside: Vec<(&str, String)> = beside.map(|(n, text)| (&**n, text.clone())).collect();
-    progress::writing(|| write_commented(out, dataset, &beside, &made.comments))
+    progress::writing(|| write_commented(out, dataset, &made.beside, &made.comments))
         .with_context(|| format!("--out {}", out.display()))?;
     let (count, model) = (dataset.flights.len(), &dataset.model);
     output::print(format!(

@@ -252,7 +252,7 @@ impl Case {
         for (name, value) in &recording.truth {
             text += &format!("{name} = {value}\n");
         }
-        dataset::write_with(folder, &recording.dataset, &[("truth.txt", text)])
+        dataset::write_with(folder, &recording.dataset, &[("truth.txt".into(), text)])
     }
 
     /// Simulates the recording, without noise if `is_exact`.

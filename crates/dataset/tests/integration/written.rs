@@ -43,7 +43,8 @@ fn it_is_written_to_a_new_an_empty_or_its_own_folder() {
     write(&folder, &small()).expect("the same again");
     let empty = around.path().join("empty");
     std::fs::create_dir(&empty).expect("made");
-    write_with(&empty, &small(), &[("truth.toml", "a = 1\n".into())]).expect("an empty folder");
+    let beside = [("truth.toml".into(), "a = 1\n".into())];
+    write_with(&empty, &small(), &beside).expect("an empty folder");
     assert_eq!(load(&empty).expect("read"), small());
     assert_eq!(files(&empty), 4);
     assert_eq!(files(around.path()), 2, "nothing is left beside");

@@ -62,18 +62,12 @@ pub(crate) fn describe_departures(report: &mut Report) {
         (Some(unattributed), _) => {
             unattributed.description = format!("{} {says}", unattributed.description);
         }
-        (none, Verdict::Unattributed) => {
-            *none = Some(Unattributed::described(says));
-        }
-        (none, Verdict::Identified | Verdict::Ambiguous) if report.consensus.is_none() => {
+        (None, Verdict::Unattributed) => report.withdraw(says),
+        (None, Verdict::Identified | Verdict::Ambiguous) if report.consensus.is_none() => {
             let nearest = report.explanations.first();
             match nearest.filter(|nearest| nearest.explained_fraction < MIN_EXPLAINED) {
                 None => report.notes.push(format!("a lack of fit remains: {says}")),
-                Some(nearest) => {
-                    report.verdict = Verdict::Unattributed;
-                    let description = format!("{} {says}", explains(nearest));
-                    *none = Some(Unattributed::described(description));
-                }
+                Some(nearest) => report.withdraw(format!("{} {says}", explains(nearest))),
             }
         }
         _ => report.notes.push(format!("a lack of fit remains: {says}")),
@@ -93,9 +87,7 @@ pub(crate) fn withdraw_inadequate(report: &mut Report) {
     let Some(nearest) = report.explanations.first() else {
         return;
     };
-    let description = format!("{}{}", explains(nearest), nearest.sentences());
-    report.verdict = Verdict::Unattributed;
-    report.unattributed = Some(Unattributed::described(description));
+    report.withdraw(format!("{}{}", explains(nearest), nearest.sentences()));
 }
 
 /// Withdraws the verdict where several effects stand in for one that is no candidate, as powers of the speed for another law
@@ -118,20 +110,18 @@ pub(crate) fn withdraw_stand_ins(report: &mut Report) {
         _ => return,
     };
     let nearest = explains(nearest);
-    let description = format!("{nearest} {why} They stand in for an effect that is no candidate.");
-    report.verdict = Verdict::Unattributed;
-    report.unattributed = Some(Unattributed::described(description));
+    report.withdraw(format!(
+        "{nearest} {why} They stand in for an effect that is no candidate."
+    ));
 }
 
 /// Withdraws the verdict that the model is adequate where the residuals exceed the noise between the markers.
 pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
-    let Some(excess) = excess.filter(|_| report.verdict == Verdict::Adequate) else {
-        return;
-    };
-    report.verdict = Verdict::Unattributed;
-    report.unattributed = Some(Unattributed::described(format!(
-        "No candidate explains what the fit found: {excess}."
-    )));
+    if let Some(excess) = excess.filter(|_| report.verdict == Verdict::Adequate) {
+        report.withdraw(format!(
+            "No candidate explains what the fit found: {excess}."
+        ));
+    }
 }
 
 /// Withdraws the verdict where the data contradict what the user states, most flights could not be used, or recorded inputs
@@ -157,17 +147,16 @@ pub(crate) fn withdraw_by_doubts(
     );
     doubts.extend(exclusion_caution(before));
     doubts.extend(input_noise(before));
-    if doubts.is_empty() || !matches!(report.verdict, Verdict::Identified | Verdict::Ambiguous) {
+    if doubts.is_empty() || !report.states_cause() {
         return;
     }
-    report.verdict = Verdict::Unattributed;
     let explanations = report.explanations.iter();
     let names: Vec<String> = explanations.map(Explanation::name).collect();
-    report.unattributed = Some(Unattributed::described(format!(
+    report.withdraw(format!(
         "The data are in doubt, before an effect is missing: {}. Correct that first; {} may stand in for it.",
         doubts.join("; "),
         names.join(", ")
-    )));
+    ));
 }
 
 fn departures(found: &LackOfFit) -> String {
@@ -223,6 +212,12 @@ pub(crate) fn note_incomplete(report: &mut Report, is_out_of_time: bool) {
 // Assessment whether a diagnosis is reliable, with the reasons if it is not.
 
 impl Report {
+    /// Withdraws the verdict: the lack of fit is not attributed, for the reason that the description states.
+    fn withdraw(&mut self, description: String) {
+        self.verdict = Verdict::Unattributed;
+        self.unattributed = Some(Unattributed::described(description));
+    }
+
     /// Assesses whether the diagnosis is reliable. Large residuals of the model under test do not count: their cause is
     /// sought.
     pub(crate) fn assess(&mut self, before: &Fit, after: Option<&Fit>, verified: Option<Verified>) {

@@ -43,6 +43,22 @@ impl<'t> Reader<'t> {
         None
     }
 
+    /// Parses a whole number within bounds that `f64` represents exactly; records a fault and returns `None` for anything else.
+    pub fn whole(
+        &mut self,
+        value: &Value<'t>,
+        name: &str,
+        (least, greatest): (u64, u64),
+    ) -> Option<u64> {
+        let number = self.number(value, name)?;
+        if number.fract() == 0.0 && number >= least as f64 && number <= greatest as f64 {
+            return Some(number as u64);
+        }
+        let message =
+            format!("{name} is {number}; expected a whole number from {least} to {greatest}");
+        self.refuse(value.span(), message)
+    }
+
     /// The table that `value` holds, the value of the key `name`; records a fault and returns `None` for anything else.
     pub fn as_table<'d>(&mut self, value: &'d Value<'t>, name: &str) -> Option<&'d DeTable<'t>> {
         let table = value.get_ref().as_table();

@@ -9,6 +9,8 @@ use crate::toml_reader::{MAX_FILE_BYTES, Reader, ReleaseError, Value, number_of,
 
 const MAX_ROWS: usize = 500;
 const MAX_SPEED: f64 = 200.0;
+/// Seeds and numbers of flights: whole numbers that `f64` represents exactly.
+const SEEDS: (u64, u64) = (0, 1 << 53);
 /// Default height of gusts, m: 10 ft, the minimum height of the low-altitude gust model.
 const GUST_HEIGHT: f64 = 3.048;
 const KEYS: [&str; 9] = [
@@ -186,9 +188,9 @@ impl<'t> Reader<'t> {
         }
         let absent = "found no seed of the gusts; expected one, as in seed = 7";
         let seed = self.required(table, "seed", value.span(), absent)?;
-        let seed = self.count(seed, "seed")?;
+        let seed = self.whole(seed, "seed", SEEDS)?;
         let flight = match table.get("flight") {
-            Some(value) => self.count(value, "flight")?,
+            Some(value) => self.whole(value, "flight", SEEDS)?,
             None => 0,
         };
         let strength = match (table.get("sd"), table.get("length")) {
@@ -266,17 +268,5 @@ impl<'t> Reader<'t> {
             return self.refuse(value.span(), message);
         }
         Some(number)
-    }
-
-    /// Parses a non-negative integer that `f64` represents exactly; a fault and `None` for anything else.
-    fn count(&mut self, value: &Value<'t>, name: &str) -> Option<u64> {
-        const GREATEST: f64 = 9_007_199_254_740_992.0;
-        let number = self.number(value, name)?;
-        if number.fract() != 0.0 || !(0.0..=GREATEST).contains(&number) {
-            let message =
-                format!("{name} is {number}; expected a whole number from 0 to {GREATEST}");
-            return self.refuse(value.span(), message);
-        }
-        Some(number as u64)
     }
 }

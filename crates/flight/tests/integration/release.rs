@@ -1,8 +1,7 @@
 //! Releases: good ones are read, and each fault of a bad one is named with its place.
 
 use flight::release::{self, Name, Release, Stop, Vocabulary};
-use model_spec::ModelTree;
-use model_spec::load::LoadError;
+use model_spec::load::{self, LoadError};
 use proptest::prelude::*;
 
 /// Names that release files for a disc model may use, with bounds of the coefficients.
@@ -131,8 +130,8 @@ fn all_that_a_release_may_say() {
 
 #[test]
 fn a_release_that_states_no_wind_has_that_of_its_model() {
-    let tree = ModelTree::load("disc").expect("the disc");
-    let tree = tree.with_values([("wind_x", 2.0)]).expect("a wind");
+    let disc = load::load("disc", &[]).expect("the disc");
+    let tree = disc.with_values([("wind_x", 2.0)]).expect("a wind");
     let model = tree.check().expect("a model");
     let wind = |stated: &str| {
         let text = format!("model = \"disc\"\nuntil = \"ground\"\n{stated}{STATES}");

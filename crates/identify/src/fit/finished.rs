@@ -1,7 +1,8 @@
 //! What a finished fit offers: least squares from given values, the bootstrap over flights, and the text of its model.
 
-use model_spec::compose::{ModelTree, ValueError};
+use model_spec::compose::ValueError;
 use model_spec::layout::Layout;
+use model_spec::model::Model;
 use nalgebra::DVector;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
@@ -86,25 +87,25 @@ impl Fit {
         }
     }
 
-    /// Text of the model `tree` whose default values are the known parameters of the dataset and the estimates; `note`
+    /// Text of `model` whose default values are the known parameters of the dataset and the estimates; `note`
     /// is appended to its first comment.
     ///
     /// # Errors
-    /// [`ValueError`] if the tree with these values is not a valid model.
+    /// [`ValueError`] if the model lacks a parameter of the dataset.
     pub fn fitted_text(
         &self,
-        tree: &ModelTree,
+        model: &Model,
         dataset: &Dataset,
         note: &str,
     ) -> Result<String, ValueError> {
         let given = dataset.parameters.iter();
         let given = given.map(|(name, value)| (name.as_str(), *value));
         // Estimates that belong to the measurement, such as the vertical, are no parameters of the model.
-        let layout = Layout::new(&tree.check()?);
+        let layout = Layout::new(model);
         let found = self.report.coefficients.iter();
         let found = found.filter(|(name, _)| layout.parameter(name).is_some());
         let found = found.map(|(name, coefficient)| (name.as_str(), coefficient.value));
-        Ok(tree.with_values(given.chain(found))?.to_text(note))
+        Ok(model.with_values(given.chain(found))?.to_text(note))
     }
 }
 

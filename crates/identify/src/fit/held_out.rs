@@ -13,14 +13,14 @@ use super::{FitError, FittedFlight, FlightResult, left_out};
 use crate::error::FlightError;
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
-use crate::least_squares::{StoppingCriteria, eliminate};
+use crate::least_squares::{Solution, StoppingCriteria, eliminate};
 use crate::levels::MIN_POPULATION;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::outliers;
-use crate::predict::{Loss, residuals};
+use crate::predict::{Loss, Residuals, residuals};
 use crate::problem::{FitProblem, StatePrior};
-use crate::report::FlightOutcome;
+use crate::report::{FlightOutcome, FlightReport};
 use crate::summary;
 use dataset::{Dataset, Flight, SummaryEvent};
 
@@ -136,11 +136,28 @@ fn predict(
     let white = noise.uncorrelated();
     let (loss, criteria) = (Loss::Whitened(&white), StoppingCriteria::COARSE);
     let (local, solution) = at.solve(&observations, samples, local, loss, criteria)?;
+    let residuals = residuals(problem, &observations, (global, &local), all)?;
+    predicted(
+        problem,
+        observations,
+        (local, &solution),
+        &residuals,
+        samples,
+    )
+}
+
+/// Result of a flight whose initial state `local` was fitted to the first `samples` samples, and whose others are predicted.
+fn predicted(
+    problem: &FitProblem,
+    observations: Observations,
+    (local, solution): (DVector<f64>, &Solution),
+    residuals: &Residuals,
+    samples: usize,
+) -> Result<FlightResult, FlightError> {
     let system = eliminate(&solution.blocks, 0.0);
     let system = system.map_err(|_| FlightError::SingularInitialState)?;
     let covariance = system.local_covariance(0, &DMatrix::zeros(0, 0));
-    let residuals = residuals(problem, &observations, (global, &local), all)?;
-    let sums = channel_sums(problem, &observations, &residuals, samples);
+    let sums = channel_sums(problem, &observations, residuals, samples);
     let residual_rms = square_sums(problem, &sums).rms();
     if residual_rms.is_empty() {
         return Err(FlightError::NothingMeasuredToPredict);
@@ -195,29 +212,15 @@ fn predict_summary(
     let start = initial_state(problem, &observations)?;
     let (loss, criteria) = (Loss::Whitened(noise), StoppingCriteria::COARSE);
     let (local, solution) = at.solve(&release, 1, start, loss, criteria)?;
-    let system = eliminate(&solution.blocks, 0.0);
-    let system = system.map_err(|_| FlightError::SingularInitialState)?;
-    let covariance = system.local_covariance(0, &DMatrix::zeros(0, 0));
     let mut residuals = residuals(problem, &observations, (global, &local), 1)?;
     for (series, at_release) in residuals.iter_mut().zip(&release.measured) {
         if at_release.is_some() {
             series[0] = None;
         }
     }
-    let sums = channel_sums(problem, &observations, &residuals, 0);
-    let residual_rms = square_sums(problem, &sums).rms();
-    if residual_rms.is_empty() {
-        return Err(FlightError::NothingMeasuredToPredict);
-    }
-    let initial = initial_state_report(problem, &observations, &local, &covariance);
-    let outcome = FlightOutcome::HeldOut;
-    let mut report = flight_report(problem, &observations, outcome, residual_rms, initial);
-    report.seen = seen(problem, &observations, &residuals, noise);
-    let fitted = FittedFlight {
-        observations,
-        state: local,
-    };
-    Ok((report, Some(fitted)))
+    let seen = seen(problem, &observations, &residuals, noise);
+    let (report, fitted) = predicted(problem, observations, (local, &solution), &residuals, 0)?;
+    Ok((FlightReport { seen, ..report }, fitted))
 }
 
 /// Marks outliers by their distance from the line through the neighbouring residuals, so that a smooth prediction error

@@ -11,6 +11,7 @@ use super::{
     StoppingCriteria, Unknowns,
 };
 use crate::error::FlightError;
+use crate::levels::{RANK, ROUNDING};
 
 /// Result of a least-squares iteration.
 #[derive(Clone, Debug)]
@@ -42,17 +43,8 @@ impl Solution {
     }
 }
 
-/// Initial Levenberg–Marquardt damping, relative to the diagonal of JᵀJ.
-const INITIAL_DAMPING: f64 = 1e-9;
-
-/// Maximum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ, at which a step is tried.
-const MAX_DAMPING: f64 = 1e8;
-
 /// Maximum damping at which a step has practically the length of a Gauss–Newton step.
 const NEGLIGIBLE_DAMPING: f64 = 1e-6;
-
-/// Minimum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ; lower values have no further effect.
-const MIN_DAMPING: f64 = 1e-12;
 
 /// Number of steps, after a rejected one, whose residuals are computed alone first: along a curved valley every second or
 /// third step is rejected, and derivatives, which take most of the time, would be lost.
@@ -82,7 +74,7 @@ pub fn solve_after(
     criteria: StoppingCriteria,
     previous: Option<f64>,
 ) -> Result<Solution, SolveError> {
-    let start = Evaluated::new(problem, start, INITIAL_DAMPING)?;
+    let start = Evaluated::new(problem, start, ROUNDING)?;
     descend(problem, start, criteria, previous)
 }
 
@@ -94,7 +86,7 @@ fn descend(
     mut previous: Option<f64>,
 ) -> Result<Solution, SolveError> {
     let mut at = start;
-    let mut damping = INITIAL_DAMPING;
+    let mut damping = ROUNDING;
     let (mut iterations, mut rejections) = (0, 0);
     // Number of steps accepted one after the other since the last rejected one.
     let mut accepted = WARY;
@@ -107,7 +99,7 @@ fn descend(
         }
         iterations += 1;
         let Some(step) = at.step(problem, damping) else {
-            if damping >= MAX_DAMPING {
+            if damping >= 1.0 / ROUNDING {
                 stop_reason = StopReason::NoDescent;
                 break;
             }
@@ -129,7 +121,7 @@ fn descend(
             stop_reason = StopReason::GivenUp;
             break;
         }
-        let less_damping = (damping * 0.1).max(MIN_DAMPING);
+        let less_damping = (damping * 0.1).max(RANK);
         let is_worse = accepted < WARY && squares_at(problem, &candidate)? >= at.squares;
         let evaluated = match is_worse {
             true => None,
@@ -163,7 +155,7 @@ fn descend(
             }
             refinement.failed();
         }
-        if damping >= MAX_DAMPING {
+        if damping >= 1.0 / ROUNDING {
             stop_reason = StopReason::NoDescent;
             break;
         }
@@ -327,7 +319,7 @@ pub fn solve_with_watchdog(
     start: Iterate,
     criteria: StoppingCriteria,
 ) -> Result<Solution, SolveError> {
-    let mut start = Evaluated::new(problem, start, INITIAL_DAMPING)?;
+    let mut start = Evaluated::new(problem, start, ROUNDING)?;
     let (reached, steps) = undamped_steps(problem, &mut start, criteria)?;
     let remaining = StoppingCriteria {
         max_steps: criteria.max_steps.saturating_sub(steps),
@@ -353,7 +345,7 @@ fn undamped_steps(
             return Ok((None, steps));
         }
         let at = reached.as_mut().unwrap_or(start);
-        let Some(step) = at.step(problem, INITIAL_DAMPING) else {
+        let Some(step) = at.step(problem, ROUNDING) else {
             return Ok((None, steps));
         };
         let Step {
@@ -364,7 +356,7 @@ fn undamped_steps(
         if is_at_minimum || at.squares - predicted_reduction >= squares_at_start {
             return Ok((None, steps));
         }
-        let Some(evaluated) = Evaluated::candidate(problem, &candidate, INITIAL_DAMPING)? else {
+        let Some(evaluated) = Evaluated::candidate(problem, &candidate, ROUNDING)? else {
             return Ok((None, steps + 1));
         };
         if evaluated.squares < squares_at_start {

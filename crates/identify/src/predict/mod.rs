@@ -25,7 +25,7 @@ use crate::error::FlightError;
 use crate::least_squares::{NormalBlock, Unknowns};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::problem::{FitProblem, RESIDUAL_TOLERANCE, robust_tolerance};
+use crate::problem::{FitProblem, robust_tolerance};
 
 /// Loss function of the residuals.
 #[derive(Clone, Copy, Debug)]
@@ -155,7 +155,7 @@ pub fn each_residual(
         global,
         local,
         samples: observations.times.len(),
-        tolerance: RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor,
+        tolerance: observations.residual_tolerance(problem),
         with_outliers: true,
     };
     pass.each_residual(motion, &columns, None, each)?;

@@ -11,7 +11,7 @@ use super::observed_point::{ObservedPoint, Residuals, integration_options};
 use crate::channel::{Channel, ChannelKind};
 use crate::error::FlightError;
 use crate::observations::Observations;
-use crate::problem::{FitProblem, RESIDUAL_TOLERANCE};
+use crate::problem::FitProblem;
 use crate::summary::{SummaryModel, event, vectors};
 use crate::summary_value::{SummaryValue, Vectors, value};
 use dataset::SummaryQuantity;
@@ -92,8 +92,7 @@ pub(crate) fn residuals(
     let mut found = Vec::new();
     if wanted.iter().any(|event| *event != SummaryEvent::Release) {
         let body = problem.body.bind(parameters.clone());
-        let tolerance = RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor;
-        let options = integration_options(tolerance, 1);
+        let options = integration_options(observations.residual_tolerance(problem), 1);
         let state: ModelState = start.into();
         let mut events = events(summary);
         let (from, end) = ((0.0, &state), Release::MAX_DURATION);

@@ -15,7 +15,7 @@ use super::{PointResidual, summary_pass};
 use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
-use crate::problem::{FitProblem, RESIDUAL_TOLERANCE};
+use crate::problem::FitProblem;
 use dataset::statistics::robust_sigma;
 
 /// One integration of a flight with sensitivities, which evaluates every residual.
@@ -177,7 +177,7 @@ pub fn states(
     (global, local): (&DVector<f64>, &DVector<f64>),
     samples: usize,
 ) -> Result<Vec<f64>, FlightError> {
-    let tolerance = RESIDUAL_TOLERANCE * problem.sigma0 * observations.tolerance_factor;
+    let tolerance = observations.residual_tolerance(problem);
     states_within(problem, observations, (global, local), samples, tolerance)
 }
 

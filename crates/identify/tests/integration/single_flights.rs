@@ -283,8 +283,8 @@ fn an_input_may_be_unknown_in_one_flight_and_recorded_in_the_others() {
             (own.value - 0.8).abs() < 4.5 * own.std_error && own.std_error < 0.01,
             "{own:?}"
         );
-        let tree = model_spec::ModelTree::parse("drone.hyz", DRONE).expect("a drone");
-        let text = found.fitted_text(&tree, dataset, "").expect("a model");
+        let drone = model_spec::load::from_text("drone.hyz", DRONE, &[]).expect("a drone");
+        let text = found.fitted_text(&drone, dataset, "").expect("a model");
         assert!(text.contains("input throttle = 0.7"), "{text}");
     };
     dataset.flights[4].unknown = vec!["throttle".into()];
@@ -440,9 +440,8 @@ fn a_spin_that_is_unknown_in_most_flights_is_found_in_each() {
     let known = &found.report.flights[0].initial["omega_x"];
     assert_eq!((known.value, known.std_error), (spins[0][0], 0.0));
     // The model that is written has the input, not the states.
-    let tree = model_spec::ModelTree::load("ball").expect("a ball");
-    let tree = tree.with_named(["magnus"]).expect("lift by spin");
-    let text = found.fitted_text(&tree, &dataset, "").expect("a model");
+    let ball = model_spec::load::load("ball", &["magnus"]).expect("a ball");
+    let text = found.fitted_text(&ball, &dataset, "").expect("a model");
     assert!(text.contains("input omega in N"), "{text}");
 }
 

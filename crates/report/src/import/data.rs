@@ -1,6 +1,7 @@
 //! Data of the page of an import: curves of a recording and its flights.
 
 use dataset::Marker;
+use dataset::pose::distance;
 use dataset::takes::{Cut, ImportedTake as Take, Throw};
 
 use super::{Distance, Edge, ImportedFlight, ImportedTake};
@@ -112,9 +113,4 @@ fn gaps(times: &[f64], rows: &[Vec<Option<[f64; 3]>>]) -> Vec<(f64, f64)> {
     let seen: Vec<usize> = (0..rows.len()).filter(is_seen).collect();
     let pairs = seen.windows(2).filter(|pair| pair[1] > pair[0] + 1);
     pairs.map(|pair| (times[pair[0]], times[pair[1]])).collect()
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
-    squares.sum::<f64>().sqrt()
 }

@@ -1,5 +1,6 @@
 //! Syntax trees of what is expanded before a model is checked: functions, arrays, and the origin of expanded statements.
 
+use std::fmt;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
@@ -72,6 +73,16 @@ pub struct Ascription {
     pub parameter: Option<Name>,
     /// Expected type.
     pub of: Type,
+}
+
+impl fmt::Display for Ascription {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.parameter {
+            Some(parameter) => write!(f, "the argument `{}` of", parameter.text)?,
+            None => write!(f, "the result of")?,
+        }
+        write!(f, " `{}`", self.function)
+    }
 }
 
 impl Function {

@@ -258,18 +258,13 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
                 let message = format!("found no count with the range of {name}");
                 return reader.refuse(given.span(), message);
             };
-            let count = reader.number(count_value, "count")?;
-            if !(count >= 2.0 && count <= MAX_VALUES as f64 && count.fract() == 0.0) {
-                let message =
-                    format!("count is {count}; expected a whole number from 2 to {MAX_VALUES}");
-                return reader.refuse(count_value.span(), message);
-            }
-            let last = count - 1.0;
-            let at = |k: usize| {
+            let count = reader.whole(count_value, "count", (2, MAX_VALUES as u64))?;
+            let last = (count - 1) as f64;
+            let at = |k: u64| {
                 let k = k as f64;
                 (ends[0] * (last - k) + ends[1] * k) / last
             };
-            Some(AxisKind::Values((0..count as usize).map(at).collect()))
+            Some(AxisKind::Values((0..count).map(at).collect()))
         }
         "uniform" => {
             let ends = list(reader, name, given, 2..=2)?;

@@ -106,8 +106,9 @@ fn plan<'t>(
     }
     let throw = throw(reader, document);
     let compiled = CompiledModel::new(&model);
-    let draws = whole(reader, document, "flights", 1, MAX_FLIGHTS);
-    let seed = whole(reader, document, "seed", 0, i64::MAX as u64);
+    let mut whole = |key, bounds| reader.whole(document.get(key)?, key, bounds);
+    let draws = whole("flights", (1, MAX_FLIGHTS));
+    let seed = whole("seed", (0, i64::MAX as u64));
     let options = options(reader, document, &compiled, &release);
     let parameters = compiled.release_parameters(&release).constants;
     let names = Names {
@@ -170,24 +171,6 @@ fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
         }
     }
     Some(throw)
-}
-
-/// Reads an integer key within bounds; `None` if it is absent, or after a fault.
-fn whole<'t>(
-    reader: &mut Reader<'t>,
-    document: &DeTable<'t>,
-    key: &str,
-    least: u64,
-    greatest: u64,
-) -> Option<u64> {
-    let value = document.get(key)?;
-    let number = reader.number(value, key)?;
-    let is_whole = number.fract() == 0.0 && number >= least as f64 && number <= greatest as f64;
-    if is_whole {
-        return Some(number as u64);
-    }
-    let message = format!("{key} is {number}; expected a whole number from {least} to {greatest}");
-    reader.refuse(value.span(), message)
 }
 
 /// Reads method and tolerance; by default the method that needs fewer evaluations for the release.

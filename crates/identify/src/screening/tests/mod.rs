@@ -10,7 +10,7 @@ mod mistakes;
 use ::flight::release::{Release, Stop, Vocabulary, built_in, read};
 use model_spec::model::Model;
 
-use super::screen;
+use super::{FreeInstruments, screen};
 use crate::error::{DataFault, FaultKind};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
@@ -46,7 +46,12 @@ pub fn plan(flights: usize, seed: u64) -> Plan {
 
 pub fn found(model: &Model, dataset: &Dataset) -> Vec<DataFault> {
     let problem = FitProblem::new(model, dataset, &FitOptions::default()).expect("a problem");
-    screen(&problem, dataset, 2).0
+    screened(&problem, dataset)
+}
+
+pub fn screened(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
+    let free = FreeInstruments::new(problem, dataset);
+    screen(problem, dataset, free.as_ref(), 2).0
 }
 
 /// Releases of a disc: an ordinary throw, and throws at steep angles of attack, fast, slow and upside down.
