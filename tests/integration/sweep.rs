@@ -41,7 +41,7 @@ value = -0.5
 
 /// Creates a temporary folder with the model [`LEAF`] and a sweep plan for it. Returns the folder and the path of the
 /// plan.
-fn leaf() -> (tempfile::TempDir, PathBuf) {
+pub fn leaf() -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("leaf.hyz"), LEAF).expect("written");
     let plan = folder.path().join("plan.toml");
@@ -50,7 +50,7 @@ fn leaf() -> (tempfile::TempDir, PathBuf) {
 }
 
 /// Runs `hyzer sweep`, asserts that it succeeds, and returns what it prints.
-fn sweep(plan: &Path, out: &Path, options: &[&str]) -> String {
+pub fn sweep(plan: &Path, out: &Path, options: &[&str]) -> String {
     let mut command = hyzer();
     let (status, text, errors) = told(
         command
@@ -65,7 +65,7 @@ fn sweep(plan: &Path, out: &Path, options: &[&str]) -> String {
 }
 
 /// Runs a sweep of the plan with the given text; returns its summary and the lines of `flights.csv`.
-fn swept(text: &str) -> (Value, Vec<String>) {
+pub fn swept(text: &str) -> (Value, Vec<String>) {
     let folder = tempfile::tempdir().expect("a folder");
     let (plan, out) = (folder.path().join("plan.toml"), folder.path().join("out"));
     fs::write(&plan, text).expect("written");
@@ -260,32 +260,6 @@ fn a_killed_sweep_goes_on_and_gives_the_same_bits() {
 }
 
 #[test]
-fn a_folder_in_which_another_run_computes_is_left_alone() {
-    let (folder, plan) = leaf();
-    let out = folder.path().join("swept");
-    sweep(&plan, &out, &["--part", "1/2"]);
-    let lock = fs::File::open(out.join("parts/.lock")).expect("the lock of the run before");
-    let refused = |options: &[&str]| {
-        let mut command = hyzer();
-        let command = command.arg("sweep").arg(&plan).arg("--out").arg(&out);
-        told(command.args(options))
-    };
-    // A run that joins the parts would remove those of the others.
-    lock.lock_shared()
-        .expect("a share that is computed elsewhere");
-    let (status, _, errors) = refused(&[]);
-    assert!(status == 2 && errors.contains("is in use"), "{errors}");
-    sweep(&plan, &out, &["--part", "2/2"]);
-    lock.unlock().expect("unlocked");
-    lock.lock().expect("a run that joins the parts elsewhere");
-    let (status, _, errors) = refused(&["--part", "2/2"]);
-    assert!(status == 2 && errors.contains("is in use"), "{errors}");
-    drop(lock);
-    sweep(&plan, &out, &[]);
-    assert!(!out.join("parts").exists());
-}
-
-#[test]
 fn the_same_seed_draws_the_same_flight_in_a_longer_sweep() {
     let text = |flights: usize| {
         format!(
@@ -333,12 +307,6 @@ fn a_bad_flight_is_a_row_and_no_error() {
     assert_eq!(summary["statuses"]["landed"], 1, "{lines:?}");
     assert_eq!(summary["statuses"]["starts-below-ground"], 1, "{lines:?}");
     assert_eq!(summary["statuses"]["refused"], 2, "{lines:?}");
-    // A moment of inertia above the sum of the others is that of no body.
-    let (summary, lines) = swept(
-        "model = \"disc\"\nuntil = \"ground\"\n[throw]\nspeed = 20.0\nspin = 600.0\nheight = 1.0\n[vary]\nI_a = { values = [0.00235, 0.01] }",
-    );
-    assert_eq!(summary["statuses"]["landed"], 1, "{lines:?}");
-    assert_eq!(summary["statuses"]["refused"], 1, "{lines:?}");
 }
 
 #[test]

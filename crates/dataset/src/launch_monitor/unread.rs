@@ -45,7 +45,7 @@ pub(super) fn unread(
         if used.iter().all(|own| own.column.quantity != quantity) {
             let name = quantity.name();
             lines.push(format!(
-                "no column is the {name} of the release, which is unknown in each shot then, and what a fit finds may rest on that: \
+                "no column is the {name} of the release, which each shot has by assumption then, or as in the model, and what a fit finds rests on that: \
                  export it, or name its column, --column \"HEADER={name},{unit}\""
             ));
         }

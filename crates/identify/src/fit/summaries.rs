@@ -11,7 +11,7 @@ use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::summary::SummaryModel;
 use crate::summary_value::{ASSUMED, SummaryValue, of_unit};
-use dataset::{Dataset, SummaryQuantity};
+use dataset::{Dataset, Sensor, SummaryQuantity};
 use flight::throw::Throw;
 use nalgebra::DVector;
 use std::fmt::{self, Display};
@@ -168,7 +168,26 @@ pub fn notes(problem: &FitProblem, dataset: &Dataset) -> Vec<String> {
         names.join(", ")
     );
     let notes = dataset.notes.iter().cloned();
-    notes.chain((!names.is_empty()).then_some(note)).collect()
+    let notes = notes.chain((!names.is_empty()).then_some(note));
+    notes.chain(spin_of_model(problem, dataset)).collect()
+}
+
+/// Which spin a point mass has by its model, where neither a column nor what is known of a flight tells one.
+fn spin_of_model(problem: &FitProblem, dataset: &Dataset) -> Option<String> {
+    problem.summary.as_ref()?;
+    let spin = ChannelKind::Summary(SummaryValue::Column(SummaryQuantity::Spin));
+    if problem.channels.iter().any(|own| own.kind == spin) {
+        return None;
+    }
+    let input = { problem.model.inputs.iter() }.find(|own| own.name == Sensor::SPIN)?;
+    let rows = dataset.flights.iter().filter(|own| dataset.is_summary(own));
+    let lacking = rows
+        .filter(|own| !own.known.contains_key(Sensor::SPIN))
+        .count();
+    let size = significant(nalgebra::Vector3::from(input.value).norm(), 3);
+    (lacking > 0).then(|| {
+        format!("no column tells the spin, which {lacking} rows have as in the model: {size} rad/s")
+    })
 }
 
 impl SummaryModel {
