@@ -220,12 +220,12 @@ impl<'a> Parser<'a> {
         Err(Reported)
     }
 
-    /// Whether the next token is one that the lexer has already reported as an error.
     /// Number of errors so far.
     pub fn reports(&self) -> usize {
         self.lexed.diagnostics.len()
     }
 
+    /// Whether the next token is one that the lexer has already reported as an error.
     pub fn reported_by_lexer(&self) -> bool {
         matches!(self.peek(), Token::Bad | Token::OpenText)
     }
