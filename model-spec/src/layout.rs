@@ -205,6 +205,24 @@ pub fn depending_on_unknown(
     (variables, equations)
 }
 
+/// Whether a moment of inertia of the body depends on the parameter or coefficient of a name.
+pub fn inertia_depends_on(model: &Model, name: &str) -> bool {
+    let entries: Vec<&Expr> = model.tensors().flatten().flatten().collect();
+    let variables = model.aux_variables.iter().zip(needed(model, &entries));
+    let variables = variables.filter_map(|(own, is_needed)| is_needed.then_some(&own.value));
+    entries.iter().copied().chain(variables).any(|e| {
+        let mut found = false;
+        e.walk(&mut |part| {
+            found |= match part.kind {
+                ExprKind::Param(i) => model.params[i].name == name,
+                ExprKind::Coefficient(i) => model.coefficients[i].name == name,
+                _ => false,
+            };
+        });
+        found
+    })
+}
+
 /// For each auxiliary variable, whether one of the expressions depends on it.
 pub fn needed(model: &Model, of: &[&Expr]) -> Vec<bool> {
     let mut needed = vec![false; model.aux_variables.len()];

@@ -5,6 +5,15 @@ use model_spec::compose::Instrument;
 use crate::summary_value::{SummaryValue, exact_deviation};
 use dataset::{Dataset, SensorKind};
 
+/// Kind of sensor of measured positions: of markers or, without them, of pose sensors.
+pub const MARKER: &str = "marker";
+
+/// What the positions of pose sensors are called among what is measured.
+pub(crate) const POSITION: &str = "position";
+
+/// Key of the attitudes of poses in the maps by kind of sensor.
+pub(crate) const ATTITUDE: &str = "attitude";
+
 /// Quantity that a channel measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChannelKind {

@@ -45,9 +45,9 @@ pub use options::{CancellationToken, FitOptions, Prior, Progress};
 // The report of a fit.
 pub use report::{
     AxisNoise, AxisResiduals, Coefficient, Estimate, FitReport, FitStatus, FlightEvidence,
-    FlightOutcome, FlightReport, InputNoise, Iterations, LackOfFit, MARKER, MarkerDistance,
-    MissingTerm, NoiseReport, NonIdentifiable, Profile, Rms, SeenValue, SensorEvidence,
-    SensorReport, SmoothMisfit, convergence_caution, exclusion_caution, input_noise, leading_noise,
+    FlightOutcome, FlightReport, InputNoise, Iterations, LackOfFit, MarkerDistance, MissingTerm,
+    NoiseReport, NonIdentifiable, Profile, Rms, SeenValue, SensorEvidence, SensorReport,
+    SmoothMisfit, convergence_caution, exclusion_caution, input_noise, leading_noise,
 };
 pub use uncertainty::interval;
 
@@ -55,7 +55,7 @@ pub use unknowns::{Resolved, fit, resolve};
 pub use vertical::{ANGLES as VERTICAL_ANGLES, upward};
 
 // The estimation problem, and predictions with their derivatives.
-pub use channel::{Channel, ChannelKind};
+pub use channel::{Channel, ChannelKind, MARKER};
 pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
 pub use noise::{AxesNoise, Moments, NoiseModel, group_count};
 pub use observations::{Observations, Truncation};

@@ -1,6 +1,5 @@
 //! What the limits of a model say: bounds of quantities, and sums of squares that are not zero.
 
-use super::singular::{Signs, named};
 use crate::model::{Expr, ExprKind, Function, Model};
 
 /// A range, SI.
@@ -30,16 +29,15 @@ impl<'m> Kept<'m> {
         }
     }
 
-    /// What the limits say, given the signs and ranges of what they are made of.
-    pub fn learned(signs: &Signs<'m>) -> Kept<'m> {
-        let model = signs.model;
+    /// What the limits say, given the ranges of what they are made of.
+    pub fn learned(model: &'m Model, range: impl Fn(&Expr) -> Option<Range>) -> Kept<'m> {
         let mut kept = Kept::new(model);
         for limit in &model.limits {
             let value = &limit.value;
             kept.ranges.push((value, (limit.bound, f64::INFINITY)));
             // `A - B > bound` keeps B below the greatest A.
             if let ExprKind::Sub(a, b) = &named(model, value).kind
-                && let Some((_, greatest)) = signs.range(a)
+                && let Some((_, greatest)) = range(a)
             {
                 let above = greatest - limit.bound;
                 kept.ranges.push(match &named(model, b).kind {
@@ -164,5 +162,13 @@ impl<'m> Kept<'m> {
     fn is_same(&self, a: &Expr, b: &Expr) -> bool {
         let [x, y] = [a, b].map(|e| named(self.model, e));
         a.same(b) || x.same(y) || a.same(y) || x.same(b)
+    }
+}
+
+/// Defining expression of the auxiliary variable to which `e` refers; `e` itself if it does not refer to one.
+pub(super) fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
+    match &e.kind {
+        ExprKind::AuxVariable(i) => model.aux_variables.get(*i).map_or(e, |l| &l.value),
+        _ => e,
     }
 }

@@ -1,7 +1,7 @@
 //! Singular points: divisors that may be zero, and guarded functions.
 
 use super::Checker;
-use super::kept::Kept;
+use super::kept::{Kept, named};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Interpolation, Model, Shape};
 
@@ -51,8 +51,8 @@ impl Sign {
     }
 }
 
-pub(super) struct Signs<'m> {
-    pub(super) model: &'m Model,
+struct Signs<'m> {
+    model: &'m Model,
     kept: Kept<'m>,
     lets: Vec<Sign>,
     ranges: Vec<Option<(f64, f64)>>,
@@ -63,7 +63,7 @@ impl<'m> Signs<'m> {
         let without_limits = Signs::knowing(model, Kept::new(model));
         match model.limits.is_empty() {
             true => without_limits,
-            false => Signs::knowing(model, Kept::learned(&without_limits)),
+            false => Signs::knowing(model, Kept::learned(model, |e| without_limits.range(e))),
         }
     }
 
@@ -156,7 +156,7 @@ impl<'m> Signs<'m> {
     }
 
     /// Range of an expression, SI, by interval arithmetic over the bounds of parameters and what limits keep.
-    pub(super) fn range(&self, e: &Expr) -> Option<(f64, f64)> {
+    fn range(&self, e: &Expr) -> Option<(f64, f64)> {
         let own = self.range_of_parts(e);
         let Some((least, greatest)) = self.kept.range(e) else {
             return own;
@@ -286,14 +286,6 @@ fn cosines(least: f64, greatest: f64) -> (f64, f64) {
     let low = if contains(PI) { -1.0 } else { one.min(other) };
     let high = if contains(0.0) { 1.0 } else { one.max(other) };
     (low, high)
-}
-
-/// Defining expression of the auxiliary variable to which `e` refers; `e` itself if it does not refer to one.
-pub(super) fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
-    match &e.kind {
-        ExprKind::AuxVariable(i) => model.aux_variables.get(*i).map_or(e, |l| &l.value),
-        _ => e,
-    }
 }
 
 /// The divisor of a quotient, or the base of a negative power; `None` for other expressions.

@@ -1,7 +1,5 @@
 //! Values of constant expressions, and the inertia tensors that a body can have.
 
-use crate::layout::needed;
-
 use super::{Expr, ExprKind, Function, Model, Parameter};
 use std::f64::consts::{PI, TAU};
 
@@ -20,25 +18,7 @@ impl Model {
             .find_map(|tensor| self.tensor_fault(tensor, &of))
     }
 
-    /// Whether a moment of inertia depends on the parameter or coefficient of a name.
-    pub fn inertia_depends_on(&self, name: &str) -> bool {
-        let entries: Vec<&Expr> = self.tensors().flatten().flatten().collect();
-        let variables = self.aux_variables.iter().zip(needed(self, &entries));
-        let variables = variables.filter_map(|(own, is_needed)| is_needed.then_some(&own.value));
-        entries.iter().copied().chain(variables).any(|e| {
-            let mut found = false;
-            e.walk(&mut |part| {
-                found |= match part.kind {
-                    ExprKind::Param(i) => self.params[i].name == name,
-                    ExprKind::Coefficient(i) => self.coefficients[i].name == name,
-                    _ => false,
-                };
-            });
-            found
-        })
-    }
-
-    fn tensors(&self) -> impl Iterator<Item = &InertiaTensor<Expr>> {
+    pub(crate) fn tensors(&self) -> impl Iterator<Item = &InertiaTensor<Expr>> {
         let declared = self.body.as_ref().and_then(|own| own.rotation.as_ref());
         let claimed = self.claim.as_ref().and_then(|own| own.rotation.as_ref());
         let tensors = [

@@ -6,6 +6,7 @@ use flight::CompiledModel;
 use flight::release::Vocabulary;
 use flight::throw::{FIELDS, NearThrows, Throw, ThrowError, ThrownModel};
 use flight::wind::gust_phases;
+use model_spec::layout::inertia_depends_on;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -37,7 +38,7 @@ impl InputModel {
                 phases.map(codegen::layout::ParamId::index).collect(),
             )
         });
-        let varies = |axis: &Axis| plan.model.inertia_depends_on(&axis.name);
+        let varies = |axis: &Axis| inertia_depends_on(&plan.model, &axis.name);
         let names = { compiled.layout().parameters.iter().cloned() }.zip(0..);
         Ok(InputModel {
             gusts,

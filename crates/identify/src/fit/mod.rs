@@ -47,6 +47,7 @@ use self::residual_cache::ResidualCache;
 use self::reweighting::Reweighted;
 use self::state::State;
 use self::summaries::Summaries;
+use crate::channel::MARKER;
 use crate::error::{DataFault, ExcludedFlight, FaultKind, FitError, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
@@ -55,9 +56,7 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::{FitProblem, whitened_tolerance};
-use crate::report::{
-    FitReport, FlightEvidence, FlightOutcome, FlightReport, MARKER, far_constants,
-};
+use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, far_constants};
 use crate::screening::{self, FreeInstruments};
 use crate::{inputs, vertical};
 use dataset::{Dataset, Flight, Role};

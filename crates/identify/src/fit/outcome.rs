@@ -12,6 +12,7 @@ use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square
 use super::reweighting::Reweighted;
 use super::state::State;
 use super::{FitError, filtered, flight_error, marker_distances, solve_error, summary_noise};
+use crate::channel::{MARKER, POSITION};
 use crate::error::FlightError;
 use crate::ids::GlobalId;
 use crate::least_squares::{ReducedSystem, StoppingCriteria, eliminate, solve};
@@ -21,8 +22,8 @@ use crate::observations::Observations;
 use crate::predict::{Loss, Residuals};
 use crate::problem::FitProblem;
 use crate::report::{
-    AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations, MARKER,
-    NoiseReport, POSITION, Profile, ResidualPool, Rms, SeenValue, SensorReport,
+    AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations,
+    NoiseReport, Profile, ResidualPool, Rms, SeenValue, SensorReport,
 };
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
 use dataset::AXES;

@@ -3,9 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::FitProblem;
-use crate::channel::{Channel, ChannelKind};
+use crate::channel::{ATTITUDE, Channel, ChannelKind, MARKER, POSITION};
 use crate::noise::{AxesNoise, Moments, NoiseModel, group_count};
-use crate::report::{ATTITUDE, MARKER, POSITION};
 use crate::rounding;
 
 impl FitProblem {

@@ -12,15 +12,15 @@ use std::sync::LazyLock;
 
 use serde::{Deserialize, Deserializer, Serialize};
 
+use crate::channel::MARKER;
 use crate::error::DataFault;
 use crate::observations::Truncation;
 use dataset::Role;
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
 pub use lack_of_fit::{InputNoise, LackOfFit, MissingTerm, SmoothMisfit};
+pub use outcome::Rms;
 pub(crate) use outcome::SquareSums;
-pub(crate) use outcome::{ATTITUDE, POSITION};
 pub use outcome::{FitStatus, FlightOutcome, Iterations};
-pub use outcome::{MARKER, Rms};
 pub(crate) use reliability::LACK_OF_FIT_LEVEL;
 pub use reliability::{MAX_PRIOR_CONFLICT, convergence_caution, exclusion_caution, input_noise};
 pub(crate) use residuals::ResidualPool;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::channel::MARKER;
 use crate::least_squares::StopReason;
 use crate::numbers::quantity;
 
@@ -90,15 +91,6 @@ pub struct Iterations {
 }
 
 // Root mean square residuals by kind of sensor.
-
-/// Kind of sensor of measured positions: of markers or, without them, of pose sensors.
-pub const MARKER: &str = "marker";
-
-/// What the positions of pose sensors are called among what is measured.
-pub(crate) const POSITION: &str = "position";
-
-/// Key of the attitudes of poses in the maps by kind of sensor.
-pub(crate) const ATTITUDE: &str = "attitude";
 
 /// Root mean square residual of one component of a measured quantity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
