@@ -160,7 +160,7 @@ fn bad_input_is_refused_before_anything_is_written() {
                 "--bounds",
                 "examples/absent.toml",
             ],
-            "cannot be read",
+            "found no such file",
         ),
         (
             vec!["design", "--goal", "range", "--fit", "Cargo.toml"],

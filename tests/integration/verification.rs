@@ -92,7 +92,7 @@ fn what_is_no_verification_is_bad_input() {
     let (status, _, said) = verify(&["--check", &bad]);
     assert_eq!(status, 2, "{said}");
     assert!(
-        said.contains("bad.json") && said.contains("line 2"),
+        said.contains("bad.json") && said.contains("expected \"hyzer.verification/1\""),
         "{said}"
     );
     fs::write(&bad, [0xff; 8]).expect("a file");

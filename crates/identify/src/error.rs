@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::ids::FlightId;
-use crate::wording::{MAX_NAMES, count};
+use crate::wording::count;
 use dataset::Flight;
 
 /// Reason why one flight cannot be fitted or predicted.
@@ -329,14 +329,17 @@ pub enum FitError {
     Interrupted,
 }
 
+/// Maximum number of excluded flights or data faults that an error message lists.
+const MAX_LISTED_FLIGHTS: usize = 10;
+
 fn first_faults(faults: &[DataFault]) -> String {
-    let each = faults.iter().take(MAX_NAMES);
+    let each = faults.iter().take(MAX_LISTED_FLIGHTS);
     let faults: Vec<String> = each.map(|fault| format!("  {fault}")).collect();
     faults.join("\n")
 }
 
 fn first_reasons(excluded: &[ExcludedFlight]) -> String {
-    let each = excluded.iter().take(MAX_NAMES);
+    let each = excluded.iter().take(MAX_LISTED_FLIGHTS);
     let reasons: Vec<String> = each
         .map(|flight| format!("  {}: {}", flight.file, flight.reason))
         .collect();

@@ -7,7 +7,6 @@ use dataset::{Dataset, Flight};
 use flight::{InputSeries, InputsOverTime};
 
 use crate::error::FlightError;
-use crate::levels::{LONG_GAP, MIN_SERIES, ROUNDING};
 use crate::numbers::significant;
 use crate::problem::FitProblem;
 use crate::wording::names;
@@ -16,8 +15,18 @@ use crate::wording::names;
 /// devices round differently.
 const OUTLASTING: f64 = 0.5;
 
+/// Gap between two samples of an input, in median intervals, from which the report notes that it is bridged.
+const NOTED_GAP: f64 = 3.5;
+
+/// Share of the bounds of an input by which a value may exceed them.
+const BOUND_ROUNDING: f64 = 1e-9;
+
 /// Share of the range of an input by which values between its samples may exceed its bounds without a note.
 const NOTED_OVERSHOOT: f64 = 1e-3;
+
+/// Number of samples from which a table is a recording, with gaps where samples are missing; fewer are the corners of a
+/// curve.
+const RECORDED: usize = 20;
 
 /// Inputs over time of a flight whose measured samples are from `span.0` to `span.1`, s, with the time counted from
 /// the first of them; and notes for the report.
@@ -82,7 +91,7 @@ pub fn of_flight(
             });
         }
         let gap = widest_gap(&times, span);
-        if gap > LONG_GAP * interval && times.len() >= MIN_SERIES {
+        if gap > NOTED_GAP * interval && times.len() >= RECORDED {
             notes.push(format!(
                 "the input {name} is bridged over {gap:.3} s without a sample"
             ));
@@ -145,7 +154,7 @@ fn overshoot(series: &InputSeries, (least, greatest): (f64, f64)) -> Option<(f64
 
 /// First sample (time in s, value) of an input that is not within `bounds`, but for the rounding of units.
 fn outside(series: &InputSeries, (least, greatest): (f64, f64)) -> Option<(f64, f64)> {
-    let slack = ROUNDING * (least.abs().max(greatest.abs()));
+    let slack = BOUND_ROUNDING * (least.abs().max(greatest.abs()));
     let within = least - slack..=greatest + slack;
     series.samples().find(|(_, value)| !within.contains(value))
 }

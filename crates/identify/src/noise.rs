@@ -244,6 +244,9 @@ impl Moments {
     }
 }
 
+/// Outlier threshold of a local residual, in standard deviations; noise exceeds it with probability 7 × 10⁻⁶.
+pub const OUTLIER_LIMIT: f64 = 4.5;
+
 /// Transition of Huber's loss from quadratic to linear, in units of its scale × √(number of components).
 pub const HUBER_LIMIT: f64 = 2.0;
 

@@ -8,7 +8,7 @@
 
 use nalgebra::{Matrix4, Vector3, Vector4};
 
-use crate::levels::{MAX_GAP, NEIGHBOURS as SIDE, OUTLIER_VARIANCE, SAME_TIME};
+use crate::levels::{MAX_GAP, NEIGHBOURS as SIDE, OUTLIER_VARIANCE};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, point_position};
@@ -99,6 +99,9 @@ struct Interpolation {
     weights: [f64; 2 * SIDE],
 }
 
+/// Relative difference of equal times, for which weights are reused.
+const SAME_TIME: f64 = 1e-6;
+
 impl Interpolation {
     /// Middle position less the cubic through the others, m, scaled to the noise of one marker coordinate.
     fn residual(&mut self, window: &[TrackPoint]) -> Option<Vector3<f64>> {
@@ -142,12 +145,15 @@ impl Interpolation {
 
 // Noise of a measured path, estimated from the distances of its points from smooth curves through their neighbours.
 
+/// Maximum time span of four successive points relative to the median; the path may curve in a gap.
+const MAX_SPAN_RATIO: f64 = 1.6;
+
 /// Robust standard deviation of one coordinate about a smooth path of points (time in s, position in m), in m, by third
 /// divided differences; 0 for fewer than four points.
 pub fn path_noise(path: impl Iterator<Item = (f64, Vector3<f64>)>) -> f64 {
     let path: Vec<(f64, Vector3<f64>)> = path.collect();
     let span = |four: &[(f64, Vector3<f64>)]| four[3].0 - four[0].0;
-    let longest = MAX_GAP * median_of(path.windows(4).map(span)).unwrap_or(0.0);
+    let longest = MAX_SPAN_RATIO * median_of(path.windows(4).map(span)).unwrap_or(0.0);
     let fours = path.windows(4).filter(|four| span(four) <= longest);
     let mut rough: Vec<f64> = fours
         .flat_map(|four| {

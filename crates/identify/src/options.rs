@@ -103,11 +103,6 @@ impl FitOptions<'_> {
         }
     }
 
-    /// Whether trial fits look for faults of the data.
-    pub(crate) fn looks_for_faults(&self) -> bool {
-        self.known_faults.is_none() && !self.trust_data
-    }
-
     pub(crate) fn stage_started(&self, stage: &str, flights: usize) {
         if let Some(progress) = self.progress {
             progress.stage_started(stage, flights);

@@ -5,11 +5,14 @@ use std::ops::Range;
 
 use flight::parallel;
 
-use crate::levels::{NEIGHBOURS as SIDE, SAME_TIME, UNLIKE};
-use crate::noise::{NoiseModel, group_count};
+use crate::levels::NEIGHBOURS as SIDE;
+use crate::noise::{NoiseModel, OUTLIER_LIMIT, group_count};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::statistics::{median, median_of, robust_sigma};
+
+/// Minimum number of measured values of a channel for outlier detection.
+const MIN_POINTS: usize = 5;
 
 /// Residuals of a flight as `[channel][sample]`, m; `None` for a missing value.
 pub type Residuals = [Vec<Option<[f64; 3]>>];
@@ -73,7 +76,7 @@ impl Series {
     /// Differences from least-squares lines, scaled, by sample; `None` for missing values or fewer than `MIN_POINTS`.
     fn local_residuals(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
         let mut local_residuals = vec![None; samples];
-        if self.samples.len() <= SIDE {
+        if self.samples.len() < MIN_POINTS {
             return local_residuals;
         }
         let mut line = Line::default();
@@ -127,6 +130,9 @@ struct Line {
     /// Standard deviation of this difference, in units of the standard deviation of a value.
     spread: f64,
 }
+
+/// Relative difference of equal time offsets, for which weights are reused: times may be rounded.
+const SAME_TIME: f64 = 1e-3;
 
 impl Line {
     /// Computes the weights of a window; `own` is the index of the tested value.
@@ -300,7 +306,7 @@ fn candidates(
 }
 
 fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
-    (0..3).any(|axis| local_residual[axis].abs() > UNLIKE * scale[axis])
+    (0..3).any(|axis| local_residual[axis].abs() > OUTLIER_LIMIT * scale[axis])
 }
 
 #[cfg(test)]

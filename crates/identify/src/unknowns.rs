@@ -10,7 +10,7 @@ use model_spec::model::Model;
 use crate::error::FitError;
 use crate::fit::{self, Fit};
 use crate::inputs;
-use crate::levels::{AT_NOISE, FEW_FLIGHTS};
+use crate::levels::AT_NOISE;
 use crate::options::{FitOptions, Prior};
 use crate::problem::measured;
 use crate::vertical;
@@ -264,6 +264,9 @@ pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result
 
 // Datasets whose vertical is not known: it is estimated with the other parameters, from several directions.
 
+/// Maximum number of flights that are fitted from each direction.
+const TRIED_FLIGHTS: usize = 6;
+
 /// Upward vectors that are tried, along the measured axes and halfway between two of them.
 fn directions() -> Vec<[f64; 3]> {
     let all =
@@ -308,7 +311,7 @@ fn with_vertical(
 ) -> Result<Model, FitError> {
     let mut few = dataset.clone();
     few.flights.retain(|flight| flight.role == Role::Fit);
-    few.flights.truncate(FEW_FLIGHTS);
+    few.flights.truncate(TRIED_FLIGHTS);
     let of_few = FitOptions {
         profiles: &[],
         progress: None,

@@ -1,7 +1,7 @@
 //! Formats counts, lists and sentences in reports and messages.
 
-/// Maximum number of names or reasons that a message lists.
-pub const MAX_NAMES: usize = 24;
+/// Maximum number of names that a sentence lists; of the remaining names it states only the number.
+const MAX_NAMES: usize = 24;
 /// Maximum number of characters of a note in a report; longer notes are truncated.
 const MAX_LETTERS: usize = 300;
 

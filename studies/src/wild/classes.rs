@@ -108,7 +108,7 @@ pub(super) const CLASSES: &[Class] = &[
         ..mistake(
             "latency between sensors",
             &[PoseAndGyroscope, MarkersAndInertial],
-            mistakes::none,
+            mistakes::late,
         )
     },
     Class {

@@ -94,6 +94,11 @@ pub(super) fn rolling_shutter(recording: &mut Recording, _: &mut ChaCha12Rng) {
     recording.cause = Some("rolling_shutter".to_owned());
 }
 
+/// The instruments are read late: the setting has the time.
+pub(super) fn late(recording: &mut Recording, _: &mut ChaCha12Rng) {
+    recording.cause = Some("gyroscope_late".to_owned());
+}
+
 pub(super) fn in_g(recording: &mut Recording, _: &mut ChaCha12Rng) {
     recording.cause = Some("accelerometer_scale".to_owned());
     each_reading(recording, Instrument::Accelerometer, |a| {

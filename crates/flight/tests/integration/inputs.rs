@@ -119,7 +119,7 @@ fn wrong_inputs_are_told() {
         ),
         (
             "thrust = { file = \"none.csv\" }",
-            "none.csv cannot be read",
+            "none.csv: found no such file; expected a table of inputs",
         ),
         (
             "thrust = { t = [0.0], value = [1.0], interpolation = \"line\" }",

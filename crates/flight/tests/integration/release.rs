@@ -279,7 +279,7 @@ fn files_that_cannot_be_read() {
         release::read_file(&folder.join("absent.toml"), |_| Ok(disc()))
             .unwrap_err()
             .to_string()
-            .contains("cannot be read")
+            .contains("found no such file; expected a release")
     );
     std::fs::remove_dir_all(&folder).unwrap();
 }

@@ -9,14 +9,12 @@ mod jump;
 mod tests;
 mod trajectory;
 
-use std::f64::consts::SQRT_2;
 use std::ops::Range;
 
 use nalgebra::{DVector, Vector3};
 
 use self::jump::{Jump, free_motion, jumps};
 use self::trajectory::Trajectory;
-use crate::levels::{BESIDE, OUTLIER_VARIANCE, SIGNIFICANT};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
@@ -24,6 +22,8 @@ use dataset::pose::distance;
 
 /// Number of samples before the first tried jump, to which motion without a contact is fitted.
 const FREE_SAMPLES: usize = 24;
+/// Number of samples before the searched range at which jumps are tried, too: their gains are those of free flight.
+const REFERENCE_SAMPLES: usize = 8;
 /// Maximum number of samples by which a contact precedes the searched range; what is earlier is due to the model.
 const MAX_LEAD: usize = 2;
 /// Minimum gain of a jump, the decrease of the whitened sum of squares, and its ratio to the largest gain of an earlier
@@ -31,10 +31,15 @@ const MAX_LEAD: usize = 2;
 const GAIN: (f64, f64) = (60.0, 4.0);
 
 /// Number of later samples that confirm a jump, and the ratio by which they increase its gain if this rose abruptly
-/// (see `OUTLIER_VARIANCE`). Samples after an outlier do not increase its gain.
+/// (see `OUTLIER_GAIN`). Samples after an outlier do not increase its gain.
 const CONFIRMING: (usize, f64) = (2, 1.2);
+/// Whitened square of a marker position above which it is an outlier, and increase of the gain by one sample, unless
+/// later samples confirm a contact; noise exceeds it with probability 10⁻⁵.
+const OUTLIER_GAIN: f64 = 26.0;
 /// Maximum number of outliers that are left out, before the tried samples and among them.
 const MAX_OUTLIERS: usize = 12;
+/// Maximum error of the distance of two markers, in units of the noise of a coordinate.
+const DISTANCE: f64 = 6.0;
 
 /// A contact of the body with the ground or another object, found as a velocity jump.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,7 +58,7 @@ pub fn contact_time(
     noise: &NoiseModel,
     sought: Range<usize>,
 ) -> Option<Onset> {
-    let first = sought.start.saturating_sub(BESIDE).max(1);
+    let first = sought.start.saturating_sub(REFERENCE_SAMPLES).max(1);
     let tried = first..sought.end.min(observations.times.len());
     let seen = sought.start.saturating_sub(FREE_SAMPLES)..tried.end;
     if tried.is_empty() {
@@ -113,14 +118,14 @@ fn departure(
         let found = best(last)?;
         let further = (last + 1..tried.end).filter(&is_seen).take(CONFIRMING.0);
         let later = best(further.last()?)?.gain;
-        let is_steady = later > found.gain && found.gain <= previous + OUTLIER_VARIANCE;
+        let is_steady = later > found.gain && found.gain <= previous + OUTLIER_GAIN;
         let is_confirmed = is_steady || later > CONFIRMING.1 * found.gain;
         let before = found.contact.checked_sub(tried.start + 1);
         let usual = before.map_or(0.0, |index| greatest[index]);
         if is_confirmed && found.gain > GAIN.0.max(GAIN.1 * usual) {
             return Some(Departure::Contact(found));
         }
-        if !is_confirmed && found.gain > previous + OUTLIER_VARIANCE {
+        if !is_confirmed && found.gain > previous + OUTLIER_GAIN {
             return Some(Departure::Outlier(last));
         }
         previous = found.gain;
@@ -147,8 +152,7 @@ fn leave_out_displaced(
     trajectory: &Trajectory,
     noise: &NoiseModel,
 ) {
-    // Both markers have noise.
-    let limit = SIGNIFICANT * SQRT_2 * noise.overall();
+    let limit = DISTANCE * noise.overall();
     for (sample, predicted) in (trajectory.first..).zip(&trajectory.samples) {
         let seen: Vec<(usize, [f64; 3])> = observations
             .points(sample)
@@ -188,7 +192,7 @@ fn leave_out_before(
             each.flat_map(|(sample, points)| points.iter().map(move |point| (sample, point)));
         let squares = each.map(|(sample, point)| (point.square(&change), sample, point.marker));
         match squares.max_by(|a, b| a.0.total_cmp(&b.0)) {
-            Some((square, sample, marker)) if square > OUTLIER_VARIANCE => {
+            Some((square, sample, marker)) if square > OUTLIER_GAIN => {
                 observations.outlier[sample * observations.channels + marker] = true;
             }
             _ => return,

@@ -11,7 +11,6 @@ use super::residual_cache::exclude_failed;
 use super::reweighting::{Reweighted, reweight};
 use super::state::State;
 use crate::least_squares::{NormalBlock, ScaledCholesky};
-use crate::levels::{MIN_SERIES, ROUNDS};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::each_residual;
@@ -19,9 +18,14 @@ use crate::problem::FitProblem;
 
 /// Maximum number of samples of a run at an end of a flight; the cuts of an import are within as many.
 const MAX_RUN: usize = 6;
+/// Minimum number of samples of a flight, in units of [`MAX_RUN`], for its ends to be tested: most of it must be left.
+const MIN_RUNS: usize = 5;
 /// Minimum normal score at which a run deviates, and ratio of its excess, its mean square less the 1 of noise, to that of
 /// the run next to it. Noise exceeds the score once in 300,000 runs, of which a flight has twelve.
 const DEVIATING: (f64, f64) = (4.5, 3.0);
+
+/// Maximum number of times that ends are left out and the flights are fitted again.
+const MAX_PASSES: usize = 2;
 
 /// Numbers of samples to be left out at the beginning and at the end of a flight.
 #[derive(Clone, Copy, Default)]
@@ -39,7 +43,7 @@ pub fn leave_out_ends(
     if !problem.sees_positions() {
         return Ok(reweighted);
     }
-    for _ in 0..ROUNDS {
+    for _ in 0..MAX_PASSES {
         if options.is_past_deadline() {
             break;
         }
@@ -83,7 +87,7 @@ fn deviating_runs(
     problem: &FitProblem,
     (observations, unknowns, noise): (&Observations, (&DVector<f64>, &DVector<f64>), &NoiseModel),
 ) -> Option<Runs> {
-    if observations.times.len() < MIN_SERIES + 2 * MAX_RUN {
+    if observations.times.len() < MIN_RUNS * MAX_RUN {
         return None;
     }
     let mut samples = by_sample(problem, observations, unknowns, noise)?;

@@ -7,13 +7,15 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::marker_distances::{all_apart, marker_count};
 use super::state::State;
-use crate::levels::{ALIKE, EXPLAINED, RANK, SIGNIFICANT};
+use crate::levels::{RANK, SIGNIFICANT};
 use crate::observations::Observations;
 use dataset::statistics::{median, robust_sigma};
 
 /// Partial autocorrelation of the noise at two samples below which it was filtered. Noise of first order has none;
 /// binomial means of three samples have −0.5, cubic interpolation −0.6.
 const FILTERED: f64 = -0.25;
+/// Relative difference of two intervals between samples up to which they are equal.
+const EVEN: f64 = 0.1;
 
 /// Sentence that the tracks were filtered or interpolated; `None` if they were not, or the flights do not tell. The
 /// noise of the distances then lacks its high frequencies, or they are shorter in every second, third or fourth sample,
@@ -80,6 +82,10 @@ fn turning(past: f64, direction: Vector3<f64>) -> [f64; TURNING.0] {
     ]
 }
 
+/// Share of the squares of a distance that is left where the rest turns with the body. A part that turns looks like noise
+/// without high frequencies where it has nine tenths of them or more; the terms take less of filtered noise.
+const LEFT: f64 = 0.2;
+
 /// Deviation of the distance of two markers in each sample, m, and the direction from one to the other; `None` where it is
 /// not seen or an outlier.
 type Series = Vec<Option<(f64, Vector3<f64>)>>;
@@ -105,7 +111,7 @@ fn deviations(apart: &[Option<Vector3<f64>>]) -> Series {
     let length = DVector::from_iterator(seen.len(), seen.iter().map(|(_, apart)| apart.norm()));
     let plain = length.add_scalar(-median(&mut length.as_slice().to_vec()));
     let left = &length - &design * (moore_penrose(&design, RANK) * &length);
-    match left.norm_squared() < EXPLAINED * plain.norm_squared() {
+    match left.norm_squared() < LEFT * plain.norm_squared() {
         true => series(apart, left.as_slice().to_vec()),
         false => lengths(apart),
     }
@@ -152,7 +158,7 @@ impl Sums {
                 let (Some(earlier), Some(later)) = (earlier, later) else {
                     continue;
                 };
-                if (to - from - lag as f64 * interval).abs() <= ALIKE * interval {
+                if (to - from - lag as f64 * interval).abs() <= EVEN * interval {
                     let common = earlier.1.dot(&later.1);
                     sum.0 += earlier.0 * later.0 * common;
                     sum.1 += common * common;

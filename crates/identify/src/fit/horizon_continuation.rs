@@ -2,21 +2,24 @@
 //! over an increasing time horizon.
 
 use super::FitError;
-use super::output_error::OutputError;
+use super::output_error::{MAX_SCALES, OutputError};
 use super::residual_cache::{ResidualCache, solve_flights};
 use super::state::State;
 use crate::least_squares::{Constraint, SolveError, StoppingCriteria, solve};
-use crate::levels::{AT_NOISE, CLEARLY_SMALLER, FAR_ABOVE, REWEIGHTINGS, ROUGHLY_NOISE};
+use crate::levels::{AT_NOISE, CLEARLY_SMALLER, ROUGHLY_NOISE};
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 
-/// First time horizon, s: duration of the initial part of each flight that is fitted first, and over which guesses compete.
-pub const FIRST_HORIZON: f64 = 0.4;
+/// First time horizon, s: duration of the initial part of each flight that is fitted first.
+const FIRST_HORIZON: f64 = 0.4;
 
 const HORIZON_GROWTH: f64 = 2.5;
 
 /// A horizon is used only if the longest flight is longer by more than this factor.
 const MIN_REMAINING_GROWTH: f64 = 1.2;
+
+/// Residual scale, in units of `sigma0`, below which a longer horizon is fitted next.
+const HORIZON_SCALE: f64 = 5.0;
 
 /// Fits all flights over a time horizon that grows to their whole length: far from the solution, long flights have
 /// local minima that short ones do not have. A flight that cannot be integrated to the horizon is used up to a time
@@ -151,7 +154,7 @@ pub fn fit_horizon(
     let constraints = weak_constraints(state.problem);
     let sigma0 = state.problem.sigma0;
     let mut scale = f64::INFINITY;
-    for _ in 0..REWEIGHTINGS {
+    for _ in 0..MAX_SCALES {
         let cache = ResidualCache::new(state, &state.samples_until(horizon));
         state.limit_to_flyable(&cache.failures());
         let next = spread(&cache).max(sigma0);
@@ -162,7 +165,7 @@ pub fn fit_horizon(
         let by = (Loss::Huber(scale), StoppingCriteria::HORIZON);
         let solution = solve_flights(state, by, None, &until(horizon, &constraints))?;
         state.take(&solution);
-        if scale < FAR_ABOVE * sigma0 {
+        if scale < HORIZON_SCALE * sigma0 {
             break;
         }
     }
@@ -173,7 +176,7 @@ pub fn fit_horizon(
 pub fn anneal_scale(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
     let mut scale = f64::INFINITY;
     let mut cache = state.residuals();
-    for _ in 0..REWEIGHTINGS {
+    for _ in 0..MAX_SCALES {
         let next = cache.median_scale().max(state.problem.sigma0);
         if next > CLEARLY_SMALLER * scale {
             break;

@@ -12,7 +12,6 @@ use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
-use crate::levels::{GUESSES, SAME, SEGMENT, SEGMENT_SAMPLES};
 use crate::noise_floor::{median_noise_floor, noise_floor, path_noise};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
@@ -22,6 +21,12 @@ use dataset::pose::Pose;
 use dataset::statistics::{median_of, robust_sigma};
 use dataset::{Dataset, Flight};
 
+/// Duration of the first segment of a flight, to which the guess of its initial state is fitted, s.
+const FIRST_SEGMENT: f64 = 0.15;
+
+/// Minimum number of samples of a segment of a flight; one with fewer is fitted as a whole.
+pub const MIN_SEGMENT_SAMPLES: usize = 12;
+
 /// Least noise that is assumed: of a coordinate, m, about the rounding error of recorded ones; and of another channel,
 /// relative to the median magnitude of its values.
 const LEAST_NOISE: (f64, f64) = (1e-7, 1e-6);
@@ -29,6 +34,12 @@ const LEAST_NOISE: (f64, f64) = (1e-7, 1e-6);
 /// Ratio of the noise floor to the noise by rigidity below which the former is used: deviations from a rigid body are
 /// then due to wrong marker positions or times. Correlated noise lowers the ratio less.
 const MAX_FLOOR_RATIO: f64 = 0.2;
+
+/// Number of initial guesses of each speed that are kept for a flight.
+const KEPT: usize = 5;
+
+/// Relative difference of sums of squares, and of states, below which two guesses are refined to the same one.
+const SAME_GUESS: f64 = 1e-3;
 
 /// Root mean square of the standard deviations `sigma` along the three axes.
 pub fn overall(sigma: [f64; 3]) -> f64 {
@@ -54,8 +65,10 @@ pub struct ObservedFlights {
 
 /// Number of samples in the first segment of a flight, to which the guess of its initial state is fitted.
 pub fn first_segment(observations: &Observations) -> usize {
-    let samples = observations.samples_until(SEGMENT);
-    samples.max(SEGMENT_SAMPLES).min(observations.times.len())
+    let samples = observations.samples_until(FIRST_SEGMENT);
+    samples
+        .max(MIN_SEGMENT_SAMPLES)
+        .min(observations.times.len())
 }
 
 /// Observations of `flights`, with estimates of their noise. `contacts` contains earlier searches for contacts by index
@@ -229,10 +242,10 @@ fn keep_best(guesses: &mut Vec<(f64, InitialGuess)>) {
     for (squares, guess) in guesses.drain(..) {
         let of_speed = kept.iter().filter(|(_, other)| other.speed == guess.speed);
         let is_known = of_speed.clone().any(|(least, other)| {
-            squares - least <= SAME * least
-                && (&guess.state - &other.state).norm() < SAME * other.state.norm()
+            squares - least <= SAME_GUESS * least
+                && (&guess.state - &other.state).norm() < SAME_GUESS * other.state.norm()
         });
-        if !is_known && of_speed.count() < GUESSES {
+        if !is_known && of_speed.count() < KEPT {
             kept.push((squares, guess));
         }
     }

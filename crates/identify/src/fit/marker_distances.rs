@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::residual_cache::ResidualCache;
 use super::state::State;
-use crate::levels::{LEAST_NOISE, MAX_MARKERS, MIN_VALUES, NEAR_NOISE, ROBUST_ERROR, SIGNIFICANT};
+use crate::levels::{LEAST_NOISE, NEAR_NOISE, ROBUST_ERROR, SIGNIFICANT};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::report::MarkerDistance;
@@ -106,6 +106,9 @@ fn mean(flights: &[Vec<Sum>], noise: f64) -> Option<(f64, f64)> {
     Some((mean, variance(&spans)?.max(of_flights).max(of_noise).sqrt()))
 }
 
+const MIN_DISTANCES: usize = 10;
+const MAX_MARKERS: usize = 6;
+
 /// Vectors between the markers of each pair in each flight, by sample; the flight is told by its place.
 pub(super) fn all_apart(
     state: &State<'_>,
@@ -155,7 +158,7 @@ pub fn excess(state: &State<'_>, cache: &ResidualCache) -> Option<String> {
                 along[1].push(line.dot(&Vector3::from(other)));
             }
         }
-        if lengths.len() < MIN_VALUES {
+        if lengths.len() < MIN_DISTANCES {
             continue;
         }
         count += lengths.len();

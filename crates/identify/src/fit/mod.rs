@@ -57,8 +57,7 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::{FitProblem, whitened_tolerance};
 use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, far_constants};
-use crate::screening::{self, FreeInstruments};
-use crate::{inputs, vertical};
+use crate::{inputs, screening, vertical};
 use dataset::{Dataset, Flight, Role};
 pub use finished::fit_observations;
 pub use held_out::CONDITIONING_FRACTION;
@@ -149,17 +148,16 @@ fn fit_within(
         return Err(FitError::NothingToFit);
     }
     let mut held_out = flights_of(dataset, Role::HeldOut);
-    let free = FreeInstruments::new(&problem, dataset);
     let (mut data_faults, contacts) = match options.known_faults {
         Some(known) => (known.to_vec(), Vec::new()),
-        None => screening::screen(&problem, dataset, free.as_ref(), options.threads()),
+        None => screening::screen(&problem, dataset, options.threads()),
     };
     if vertical::is_in(model) {
         data_faults.retain(|fault| fault.fault != FaultKind::Axes);
     }
     trial::remove_refuted(model, dataset, options, &mut data_faults)?;
     if data_faults.is_empty() {
-        data_faults = trial::mirrored(model, dataset, free.as_ref(), options)?;
+        data_faults = trial::mirrored(model, dataset, &problem, options)?;
     }
     let faulty = screening::excluded(dataset, &data_faults, options);
     let is_faulty = |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);

@@ -16,7 +16,6 @@ use crate::channel::{MARKER, POSITION};
 use crate::error::FlightError;
 use crate::ids::GlobalId;
 use crate::least_squares::{ReducedSystem, StoppingCriteria, eliminate, solve};
-use crate::levels::{FAR_ABOVE, UNDETERMINED};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::{Loss, Residuals};
@@ -28,6 +27,9 @@ use crate::report::{
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
 use dataset::AXES;
 use dataset::statistics::median_of;
+
+/// Ratio of a flight's rms residual to the median over the flights, above which a note is added.
+const MISFIT_RATIO: f64 = 4.0;
 
 /// Creates the reports of the fit and of its flights, with uncertainties and residual statistics. The caller adds what
 /// concerns other flights, data faults, marker distances, reliability and times.
@@ -121,7 +123,7 @@ fn note_misfits(flights: &mut [FlightReport]) {
         let median = median_of(alike.iter().map(|flight| flight.misfit())).unwrap_or(0.0);
         for flight in &mut alike {
             let misfit = flight.misfit();
-            if misfit > FAR_ABOVE * median {
+            if misfit > MISFIT_RATIO * median {
                 flight.notes.push(format!(
                     "its residuals are {:.0} times the usual: look at it before you rely on this fit",
                     misfit / median
@@ -383,6 +385,10 @@ pub fn seen(
     });
     each.collect()
 }
+
+/// Share of the standard deviation of its prior from which the standard error of an unknown quantity tells that the
+/// flight does not determine it.
+const UNDETERMINED: f64 = 0.5;
 
 /// Note on the unknown quantities of a flight that it does not determine.
 fn undetermined(

@@ -8,7 +8,7 @@ use crate::least_squares::{
     Constraint, Iterate, LeastSquaresProblem, NormalBlock, Solution, SolveError, StoppingCriteria,
     Unknowns, solve,
 };
-use crate::levels::{CLEARLY_SMALLER, REWEIGHTINGS};
+use crate::levels::CLEARLY_SMALLER;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::predict::{Loss, linearise, residuals, robust_scale, squares};
@@ -108,6 +108,9 @@ impl LeastSquaresProblem for OutputError<'_> {
 
 // Fits of the initial state of one flight at fixed global parameters.
 
+/// Maximum number of fits of one flight with a robust loss whose scale decreases from fit to fit.
+pub const MAX_SCALES: usize = 8;
+
 /// Global parameters held at fixed values, so that the initial state of each flight can be fitted separately.
 #[derive(Clone, Copy)]
 pub struct FixedGlobal<'a> {
@@ -152,7 +155,7 @@ impl FixedGlobal<'_> {
             self.solve(observations, samples, local, Loss::Huber(scale), criteria)
         };
         let (mut local, mut scale) = (start, f64::INFINITY);
-        for _ in 0..REWEIGHTINGS {
+        for _ in 0..MAX_SCALES {
             let next = self.residual_scale(observations, &local, samples);
             let next = next.unwrap_or(1.0).max(sigma0);
             // The last fit uses the scale sigma0.

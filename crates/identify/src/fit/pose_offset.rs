@@ -6,8 +6,11 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::channel::ChannelKind;
 use crate::levels::{FAR_ABOVE, NEAR_NOISE, SIGNIFICANT};
-use crate::numbers::{Digits, displayed};
+use crate::numbers::Digits;
 use dataset::AXES;
+
+/// Millimetres in a metre.
+const MM: f64 = 1e3;
 
 /// What a position is off, m, and the axes of the body, in the inertial frame; both less what a shift and a drift of the
 /// flight follow.
@@ -39,10 +42,9 @@ fn coordinates((point, error): (Vector3<f64>, Vector3<f64>)) -> String {
     let axes = AXES.iter().zip(point.iter().zip(error.iter()));
     let parts = axes.filter(|(_, (_, error))| **error <= limit);
     let parts = parts.map(|(axis, (value, error))| {
-        let (shown, unit) = displayed("m");
-        let digits = Digits::of(shown * value, shown * error);
-        let [value, error] = [value, error].map(|own| digits.one(shown * own));
-        format!("{axis} = {value} ± {error} {unit}")
+        let digits = Digits::of(MM * value, MM * error);
+        let [value, error] = [value, error].map(|own| digits.one(MM * own));
+        format!("{axis} = {value} ± {error} mm")
     });
     parts.collect::<Vec<_>>().join(", ")
 }

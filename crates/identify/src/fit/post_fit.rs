@@ -3,7 +3,6 @@
 use nalgebra::DVector;
 
 use super::residual_cache::Path;
-use crate::levels::FEW_SAMPLES;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
@@ -65,6 +64,9 @@ pub fn square_sums(problem: &FitProblem, channels: &[ChannelSum]) -> SquareSums 
     sums
 }
 
+/// Approximate number of samples of a flight at which auxiliary variables are evaluated.
+const EVALUATED_SAMPLES: usize = 12;
+
 /// Range (minimum, maximum) that contains no value: the initial value when the union of several ranges is computed.
 pub const EMPTY_RANGE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
@@ -99,7 +101,7 @@ pub fn post_fit(
     let layout = problem.body.layout();
     let mut ranges = vec![EMPTY_RANGE; layout.quantities.len() + layout.states.len()];
     let width = observations.manifold.states();
-    let every = (observations.times.len() / FEW_SAMPLES).max(1);
+    let every = (observations.times.len() / EVALUATED_SAMPLES).max(1);
     for (sample, state) in path.states.chunks(width).enumerate().step_by(every) {
         let quantities = observer.quantities(observations.times[sample], state);
         let values = quantities.iter().chain(state);

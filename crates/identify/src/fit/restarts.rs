@@ -5,21 +5,31 @@ use nalgebra::DVector;
 
 use super::FitError;
 use super::horizon_continuation::{anneal_scale, continue_horizon, fit_horizon};
-use super::initial_guess::first_segment;
+use super::initial_guess::{MIN_SEGMENT_SAMPLES, first_segment};
 use super::output_error::FixedGlobal;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::error::FlightError;
 use crate::initial_state::{self, InitialGuess};
 use crate::least_squares::Unknowns;
-use crate::levels::{AT_NOISE, FAR_ABOVE, ROUNDS, SEGMENT, SEGMENT_SAMPLES};
+use crate::levels::FAR_ABOVE;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
 use crate::predict::{Loss, linearise, states};
 use crate::problem::FitProblem;
 
-/// Number of consecutive arcs, parts of a flight with separate initial states, that are joined into a longer one.
-const ARCS: usize = 3;
+/// Maximum ratio of the rms residual scale of a new fit to that of the present one, for it to be accepted.
+const ACCEPTED_RATIO: f64 = 0.98;
+
+/// Maximum number of restarts from corrected samples, each with a better estimate of the distortion.
+const MAX_STARTS: usize = 3;
+
+/// Maximum number of corrections of samples, each with the distortion at the initial state of the one before.
+const PASSES: usize = 4;
+
+/// Duration of the shortest arcs, parts of a flight with separate initial states, s, and number of consecutive arcs that
+/// are joined into a longer one.
+const ARCS: (f64, usize) = (0.14, 3);
 
 /// Minimum distance of an initial value from its bounds, in typical magnitudes.
 const OFF_BOUND: f64 = 0.1;
@@ -35,7 +45,7 @@ type Arrival<'a> = (State<'a>, ResidualCache);
 /// the present parameters predict; multiple shooting from the model's values; and other values of parameters that have
 /// no effect, from the present ones and by multiple shooting. A better fit replaces the present one; its residuals are returned.
 pub fn restart(state: &mut State<'_>, mut cache: ResidualCache) -> Result<ResidualCache, FitError> {
-    for _ in 0..ROUNDS {
+    for _ in 0..MAX_STARTS {
         if !take_better(state, &mut cache, from_undistorted)? {
             break;
         }
@@ -88,7 +98,7 @@ fn is_suspect(state: &State<'_>, cache: &ResidualCache) -> bool {
 fn is_better(found: &ResidualCache, before: &ResidualCache) -> bool {
     let (failed, failed_before) = (found.failures().len(), before.failures().len());
     failed < failed_before
-        || failed == failed_before && found.rms_scale() * AT_NOISE < before.rms_scale()
+        || failed == failed_before && found.rms_scale() < ACCEPTED_RATIO * before.rms_scale()
 }
 
 // Corrected samples. Estimated parameters of the measurement may distort the samples: late recording, a scale,
@@ -117,7 +127,7 @@ fn undistorted_guess(
 ) -> Option<DVector<f64>> {
     let first = observations.first_samples(first_segment(observations));
     let mut found: Option<DVector<f64>> = None;
-    for _ in 0..ROUNDS {
+    for _ in 0..PASSES {
         let local = found.as_ref().unwrap_or(local);
         let undistorted = without_distortion(at.problem, &first, (at.global, local));
         let Some(next) = undistorted.and_then(|undistorted| guess(at.problem, &undistorted)) else {
@@ -305,9 +315,9 @@ fn arcs<'a>(state: &State<'a>) -> Result<Option<State<'a>>, FitError> {
     for (&id, flight) in state.ids.iter().zip(&state.flights) {
         let mut first = 0;
         while first < flight.times.len() {
-            let end = flight.samples_until(flight.times[first] + SEGMENT);
-            let mut end = end.max(first + SEGMENT_SAMPLES);
-            if end + SEGMENT_SAMPLES > flight.times.len() {
+            let end = flight.samples_until(flight.times[first] + ARCS.0);
+            let mut end = end.max(first + MIN_SEGMENT_SAMPLES);
+            if end + MIN_SEGMENT_SAMPLES > flight.times.len() {
                 end = flight.times.len();
             }
             cut.push((id, flight.arc(problem, first..end)));
@@ -330,7 +340,7 @@ fn arcs<'a>(state: &State<'a>) -> Result<Option<State<'a>>, FitError> {
     Ok((!arcs.flights.is_empty()).then_some(arcs))
 }
 
-/// Joins each group of `ARCS` consecutive arcs, with the initial state of the first; `false` if all are whole flights
+/// Joins each group of `ARCS.1` consecutive arcs, with the initial state of the first; `false` if all are whole flights
 /// already.
 fn join<'a>(state: &State<'a>, arcs: &mut State<'a>) -> bool {
     let joined = arcs.without_flights();
@@ -339,7 +349,7 @@ fn join<'a>(state: &State<'a>, arcs: &mut State<'a>) -> bool {
     for (id, flight) in state.ids.iter().zip(&state.flights) {
         let of_flight = (0..before.ids.len()).filter(|&arc| before.ids[arc] == *id);
         let of_flight: Vec<usize> = of_flight.collect();
-        for group in of_flight.chunks(ARCS) {
+        for group in of_flight.chunks(ARCS.1) {
             let (first, last) = (&before.flights[group[0]], group[group.len() - 1]);
             let end = before.flights[last].times.last().copied();
             let start = flight.times.partition_point(|time| *time < first.times[0]);

@@ -7,11 +7,19 @@ use super::state::State;
 use super::{flight_error, summary_noise};
 use crate::error::FlightError;
 use crate::least_squares::{FailedFlight, Solution, StopReason, StoppingCriteria};
-use crate::levels::{REWEIGHTINGS, SAME};
 use crate::noise::NoiseModel;
 use crate::outliers;
 use crate::predict::Loss;
 use crate::report::FitStatus;
+
+/// Maximum number of rounds, each of which estimates the noise from the residuals and then fits by least squares again.
+const MAX_ROUNDS: usize = 8;
+
+/// The same number for summaries, whose columns are traded against each other slowly, and whose rounds are short.
+const MAX_ROUNDS_OF_SUMMARIES: usize = 60;
+
+/// Maximum difference of equal noise estimates: relative for standard deviations, absolute for autocorrelations.
+const SAME_NOISE: f64 = 0.005;
 
 /// Numbers of solutions after which the alternation ends: of those that ended at the maximum number of steps, and of those
 /// with residuals far above the noise, whose weights need not converge.
@@ -69,12 +77,12 @@ fn agree(
     let mut solution: Option<Solution> = None;
     let (mut unfinished, mut misfits) = (0, 0);
     let rounds = match problem.summary {
-        Some(_) => summary_noise::ITERATIONS.0,
-        None => REWEIGHTINGS,
+        Some(_) => MAX_ROUNDS_OF_SUMMARIES,
+        None => MAX_ROUNDS,
     };
     for round in 0..rounds {
         let (estimated, marks_changed) = estimate_noise(state, &cache)?;
-        let agrees = !marks_changed && estimated.is_within(&noise, SAME);
+        let agrees = !marks_changed && estimated.is_within(&noise, SAME_NOISE);
         if let Some(solution) = solution.take_if(|_| agrees) {
             return Ok(Some(Reweighted::new(noise, solution, cache, true)));
         }

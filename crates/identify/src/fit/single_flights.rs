@@ -13,7 +13,7 @@ use super::starts::distinct;
 use super::state::State;
 use super::{FitError, restarts};
 use crate::error::{ExcludedFlight, FaultKind, FlightError};
-use crate::levels::{CLEARLY_SMALLER, FAR_ABOVE, HOPELESS, ROUNDS};
+use crate::levels::{CLEARLY_SMALLER, FAR_ABOVE, HOPELESS};
 use crate::numbers::significant;
 use crate::observations::Observations;
 use dataset::statistics::median;
@@ -29,6 +29,10 @@ fn limits(state: &State<'_>) -> (f64, f64, f64) {
         (1.2, 6.0, 0.95)
     }
 }
+
+/// Maximum numbers of passes in which unlike flights are excluded, and flights return; these improve the parameters for
+/// others.
+const PASSES: (usize, usize) = (4, 2);
 
 /// Refits flights whose residual scale is far above that of the others. If one improves, all are fitted again.
 pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<ResidualCache, FitError> {
@@ -122,7 +126,7 @@ pub fn exclude_unlike_flights(
 ) -> Result<ResidualCache, FitError> {
     let options = state.options;
     let mut cache = exclude_failed(state, cache)?;
-    for _ in 0..ROUNDS {
+    for _ in 0..PASSES.0 {
         let limit = FAR_ABOVE * cache.usual_scale(state.problem);
         let scales = cache.scales().into_iter().enumerate();
         let above = scales.filter(|(_, scale)| scale.is_some_and(|scale| scale > limit));
@@ -205,7 +209,7 @@ pub fn take_back(
     mut reweighted: Reweighted,
 ) -> Result<Reweighted, FitError> {
     let options = state.options;
-    for _ in 0..ROUNDS {
+    for _ in 0..PASSES.1 {
         let (tried, kept): (Vec<ExcludedFlight>, Vec<ExcludedFlight>) =
             state.excluded.iter().cloned().partition(may_come_back);
         if tried.is_empty() || options.is_past_deadline() {

@@ -8,15 +8,19 @@ use model_spec::model::Model;
 use nalgebra::DVector;
 
 use super::FitError;
-use super::horizon_continuation::{FIRST_HORIZON, anneal_scale, continue_horizon};
+use super::horizon_continuation::{anneal_scale, continue_horizon};
 use super::initial_guess::InitialGuesses;
 use super::output_error::FixedGlobal;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
-use crate::levels::{ALIKE, FEW_FLIGHTS, GUESSES, ROUGHLY_NOISE, ROUNDS};
+use crate::levels::ROUGHLY_NOISE;
 use crate::observations::Observations;
+
+/// Least relative difference of initial states, or of their angular velocities, of different fits: a turn per interval is
+/// most of either.
+pub(super) const ANOTHER: f64 = 0.1;
 
 /// Decrease of the deviance by which a minimum, or another initial state of a flight, is better.
 const SAME_MINIMUM: f64 = 1.0;
@@ -24,9 +28,22 @@ const SAME_MINIMUM: f64 = 1.0;
 /// Number of fits of all flights that are started from each speed.
 const STARTS: usize = 2;
 
+/// Maximum number of times that all flights are fitted again after single flights moved to better initial states.
+const EXCHANGES: usize = 3;
+
 /// Number of fits, the best ones, of which single flights are tried from other guesses: where neither confirms the other, the
 /// model or the readings are wrong rather than the initial states.
 const EXCHANGED: usize = 3;
+
+/// Number of flights with which the minimum is searched where several instruments observe each; the others start there
+/// at their best initial states. Flights of one instrument determine the minimum only all together.
+const SEARCHED: usize = 4;
+
+/// Duration of the first part of a flight, s, over which all its guesses are fitted.
+const FIRST_PART: f64 = 0.4;
+
+/// Number of initial states that are followed to the end of a flight: most guesses lead to few motions.
+const FOLLOWED: usize = 8;
 
 /// Fits that arrived from several starts, with their residuals, and the first error of another start.
 #[derive(Default)]
@@ -79,7 +96,7 @@ pub(super) fn are_same(model: &Model, (one, other): (&DVector<f64>, &DVector<f64
             difference[k] = one[k] - dot.signum() * other[k];
         }
     }
-    difference.norm() < ALIKE * other.norm()
+    difference.norm() < ANOTHER * other.norm()
 }
 
 /// Finds the best minimum of the longest flights, and fits all flights from there.
@@ -93,7 +110,7 @@ pub fn best_of_several(
     };
     let mut longest: Vec<usize> = (0..start.flights.len()).collect();
     longest.sort_by_key(|&flight| std::cmp::Reverse(start.flights[flight].times.len()));
-    longest.truncate(FEW_FLIGHTS);
+    longest.truncate(SEARCHED);
     if longest.len() == start.flights.len() || start.problem.channels.len() == 1 {
         return best_minimum(start, guesses);
     }
@@ -227,7 +244,7 @@ fn exchange_initial_states(
     cache: &mut ResidualCache,
     guesses: &Guesses<'_>,
 ) -> Result<(), FitError> {
-    for _ in 0..ROUNDS {
+    for _ in 0..EXCHANGES {
         if state.options.is_past_deadline() || !exchange(state, guesses) {
             break;
         }
@@ -280,7 +297,7 @@ fn begun(
     guesses: &[InitialGuess],
     below: f64,
 ) -> impl Iterator<Item = (f64, DVector<f64>)> {
-    let samples = observations.samples_until(observations.times[0] + FIRST_HORIZON);
+    let samples = observations.samples_until(observations.times[0] + FIRST_PART);
     let begun = guesses.iter().filter_map(|guess| {
         let start = guess.state.clone();
         let (squares, local) = at
@@ -291,7 +308,7 @@ fn begun(
     distinct(&at.problem.model, begun.collect()).map(|(squares, local, ())| (squares, local))
 }
 
-/// Initial states with their sums of squares, each once, the least first: at most [`GUESSES`].
+/// Initial states with their sums of squares, each once, the least first: at most [`FOLLOWED`].
 pub(super) fn distinct<T>(
     model: &Model,
     mut states: Vec<(f64, DVector<f64>, T)>,
@@ -300,7 +317,7 @@ pub(super) fn distinct<T>(
     let mut found: Vec<(f64, DVector<f64>, T)> = Vec::new();
     for own in states {
         let is_same = |other: &(f64, DVector<f64>, T)| are_same(model, (&own.1, &other.1));
-        if found.len() < GUESSES && !found.iter().any(is_same) {
+        if found.len() < FOLLOWED && !found.iter().any(is_same) {
             found.push(own);
         }
     }

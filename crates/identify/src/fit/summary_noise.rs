@@ -10,19 +10,27 @@ use super::state::State;
 use super::summaries::assumed;
 use crate::error::FlightError;
 use crate::least_squares::{NormalBlock, ScaledCholesky, pseudo_inverse};
-use crate::levels::ROUNDING;
 use crate::noise::NoiseModel;
 use crate::numbers::{probability, significant};
 use crate::observations::Observations;
 use crate::predict::{add_state_priors, each_residual};
 use crate::problem::FitProblem;
-use crate::report::LACK_OF_FIT_LEVEL;
 
 /// Maximum number of iterations, and relative change of the standard deviations at their end.
-pub const ITERATIONS: (usize, f64) = (50, 1e-4);
+const ITERATIONS: (usize, f64) = (50, 1e-4);
 
 /// Least redundancy of a column whose noise is estimated.
 const LEAST_REDUNDANCY: f64 = 0.5;
+
+/// Least noise relative to the one that was assumed at first.
+const LEAST_NOISE: f64 = 1e-9;
+
+/// p-value below which rows do not agree with their stated standard deviations.
+const LEVEL: f64 = 0.01;
+
+/// Number of standard errors by which an estimate may move if what is assumed of releases is off by its standard deviation
+/// in all of them.
+const MOST_BY_ASSUMPTION: f64 = 1.0;
 
 /// A value of a summary with the derivatives of its residual by the local and the global parameters, m.
 struct Row {
@@ -56,7 +64,7 @@ pub fn estimate(state: &State<'_>, noise: &mut NoiseModel) -> Result<(), FlightE
                 continue;
             };
             let sigma = (squares / redundancy.max(LEAST_REDUNDANCY)).sqrt();
-            let sigma = sigma.max(ROUNDING * problem.sigma0);
+            let sigma = sigma.max(LEAST_NOISE * problem.sigma0);
             let own = noise.of_mut(channel);
             change = change.max((sigma / own.sigma[0] - 1.0).abs());
             own.sigma = [sigma; 3];
@@ -173,7 +181,7 @@ pub fn doubt(
         return Ok(None);
     };
     let p_value = distribution.sf(squares);
-    if p_value >= LACK_OF_FIT_LEVEL {
+    if p_value >= LEVEL {
         return Ok(doubt_of_assumptions(state, &sums, covariance));
     }
     Ok(Some(format!(
@@ -202,8 +210,7 @@ fn doubt_of_assumptions(
     let (channel, index, moved) = worst.max_by(|a, b| a.2.total_cmp(&b.2))?;
     let rows = state.flights.iter().filter(|flight| flight.is_summary);
     let assumed = assumed(&problem.channels[channel], channel, rows)?;
-    // By more than its standard error.
-    (moved > 1.0).then(|| {
+    (moved > MOST_BY_ASSUMPTION).then(|| {
         format!(
             "{assumed}: if all had {} more, {} would be {} standard errors off",
             assumed.more,

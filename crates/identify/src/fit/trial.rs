@@ -6,13 +6,16 @@ use model_spec::model::Model;
 
 use super::{Fit, FitError, fit_within};
 use crate::error::{DataFault, FaultKind};
-use crate::levels::{FEW_FLIGHTS, SIGNIFICANT};
+use crate::levels::SIGNIFICANT;
 use crate::numbers::Digits;
 use crate::options::FitOptions;
+use crate::problem::FitProblem;
 use crate::report::{Coefficient, LACK_OF_FIT_LEVEL, LackOfFit, MAX_PRIOR_CONFLICT};
-use crate::screening::{self, FreeInstruments, OtherMeaning, Poses};
+use crate::screening::{self, OtherMeaning, Poses};
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight, Role};
+
+const FLIGHTS: usize = 4;
 
 /// Effect of attitudes in a turned frame, and its coefficients.
 const ATTITUDE_TURNED: &str = "attitude_turned";
@@ -27,6 +30,9 @@ const NEARLY: f64 = 5.0;
 /// Acceleration that corresponds to the residuals, m/s², below which the data are as the model says; wrong axes, units
 /// or times leave about that of gravity.
 const MAX_ACCELERATION: f64 = 2.0;
+
+/// Root mean square of a parabola a·t²/2 about its best straight line over a time T, in units of a·T²: 1/√720.
+const BENDING: f64 = 0.0373;
 
 /// Removes faults that all flights have in common if they rest on accelerations, which screening compares with usual
 /// loads, and the model describes the data as they are.
@@ -64,7 +70,7 @@ fn tried(
     options: &FitOptions<'_>,
 ) -> Result<Option<Fit>, FitError> {
     let few = Dataset {
-        flights: flights.take(FEW_FLIGHTS).collect(),
+        flights: flights.take(FLIGHTS).collect(),
         ..dataset.clone()
     };
     let as_they_are = FitOptions {
@@ -106,11 +112,13 @@ fn tried_with(
 pub fn mirrored(
     model: &Model,
     dataset: &Dataset,
-    free: Option<&FreeInstruments<'_>>,
+    problem: &FitProblem,
     options: &FitOptions<'_>,
 ) -> Result<Vec<DataFault>, FitError> {
-    let free = free.filter(|_| options.looks_for_faults());
-    for other in free.map_or_else(Vec::new, FreeInstruments::mirrored) {
+    if options.trust_data || options.known_faults.is_some() {
+        return Ok(Vec::new());
+    }
+    for other in screening::mirrored(problem, dataset) {
         if tried_with(&other, model, dataset, options)?.is_some() {
             let why = "only so does the angular momentum turn slowly, and the flights fit";
             return Ok(other.faults(dataset, why, false));
@@ -127,7 +135,7 @@ pub fn other_unit(
     options: &FitOptions<'_>,
     as_they_are: &Result<Fit, FitError>,
 ) -> Result<Vec<DataFault>, FitError> {
-    if !options.looks_for_faults() {
+    if options.trust_data || options.known_faults.is_some() {
         return Ok(Vec::new());
     }
     let units = screening::undetermined(dataset);
@@ -158,8 +166,8 @@ pub fn frames_of_poses(
     as_they_are: &Result<Fit, FitError>,
 ) -> Result<Vec<DataFault>, FitError> {
     let is_far = |fit: &&Fit| lacks_fit(fit, options).is_some_and(|(_, is_far)| is_far);
-    let found = as_they_are.as_ref().ok();
-    let found = found.filter(|_| options.looks_for_faults());
+    let may_be_wrong = options.known_faults.is_none() && !options.trust_data;
+    let found = as_they_are.as_ref().ok().filter(|_| may_be_wrong);
     let found = Poses::of(dataset).zip(found);
     let Some((pose, stated)) = found.filter(|(_, fit)| is_far(fit)) else {
         return Ok(Vec::new());
@@ -232,11 +240,9 @@ fn flies_as_recorded(fit: &Fit) -> bool {
         Some(times.last()? - times.first()?)
     });
     let left = fit.report.position_rms();
-    // A parabola a·t²/2 has the root mean square a·T²/√720 about its best straight line over a time T.
-    let bent = MAX_ACCELERATION / 720.0_f64.sqrt();
     median_of(durations)
         .zip(left)
-        .is_some_and(|(duration, left)| left < bent * duration * duration)
+        .is_some_and(|(duration, left)| left < BENDING * MAX_ACCELERATION * duration * duration)
 }
 
 /// Sentences on held coefficients that are more than [`MAX_PRIOR_CONFLICT`] standard errors from their estimates.

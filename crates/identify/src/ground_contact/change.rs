@@ -8,13 +8,12 @@ use nalgebra::Vector3;
 
 use super::smooth_motion::{Fitted, fit};
 use super::{Contact, PathPoint};
-use crate::levels::{BESIDE, LEAST_NOISE, MIN_VALUES, UPWARD};
 use crate::noise_floor::path_noise;
 use dataset::statistics::median_of;
 
 /// Maximum numbers of points before and after an interval: over more, lift varies too much, and another contact may
 /// follow.
-const SIDES: (usize, usize) = (20, BESIDE);
+const SIDES: (usize, usize) = (20, 8);
 /// Minimum numbers of points before and after an interval, for four coefficients before it and two more after it.
 const MIN_SIDES: (usize, usize) = (8, 3);
 /// Maximum number of outliers around an interval, as more may be the points after a contact, and decrease of the sum of
@@ -26,10 +25,16 @@ const OUTLIERS: (usize, f64) = (2, 40.0);
 /// the number of coefficients of the two jumps, and correlated noise more.
 const GAIN: (f64, f64) = (7.0, 10.0);
 
+/// Minimum number of earlier intervals whose median gain is the usual one; else it is the lower quartile of the flight.
+const EARLIER: usize = 8;
 /// Minimum upward velocity jump, m/s; lift that changes at the start of a fast throw feigns 0.2 to 0.4 m/s.
 const MIN_JUMP: f64 = 0.5;
+/// Minimum upward part of a velocity jump at the ground: limited friction limits the horizontal part.
+pub(crate) const MIN_UPWARD_PART: f64 = 0.3;
 /// Numbers of points before and after the interval of a contact among which it is dated.
-const DATED: (usize, usize) = (4, BESIDE);
+const DATED: (usize, usize) = (4, SIDES.1);
+/// Least noise of a coordinate that is assumed, m.
+const MIN_NOISE: f64 = 1e-9;
 
 /// Comparison of smooth motion with motion that changes in the interval before one point.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +59,7 @@ impl Change {
     /// Whether the jump is one at the ground: upward, of a body that descends, and not of its position, as where frames
     /// are missing.
     fn is_impact(&self) -> bool {
-        let least = MIN_JUMP.max(UPWARD * self.jump.norm());
+        let least = MIN_JUMP.max(MIN_UPWARD_PART * self.jump.norm());
         let moved = self.velocity.norm() * self.interval;
         self.velocity.z < 0.0 && self.jump.z > least && self.variance < moved * moved
     }
@@ -69,18 +74,18 @@ pub fn first_change(path: &[PathPoint]) -> Option<Contact> {
     let noise = path_noise(points.iter().map(|point| (point.time, point.position)));
     let mut path = Path {
         points,
-        noise: noise.max(LEAST_NOISE),
+        noise: noise.max(MIN_NOISE),
     };
     // Noise from differences of samples does not include correlated noise.
     let variance = quartile(path.changes().map(|change| change.variance));
-    path.noise = variance.sqrt().max(LEAST_NOISE);
+    path.noise = variance.sqrt().max(MIN_NOISE);
     let changes: Vec<Change> = path.changes().collect();
     let gains = changes.iter().map(|change| change.gain(variance));
     let gains: Vec<f64> = gains.collect();
     let whole = quartile(gains.iter().copied());
     let (found, _) = changes.iter().zip(&gains).find(|(change, gain)| {
         let earlier = changes.partition_point(|other| other.index + SIDES.1 <= change.index);
-        let usual = match earlier < MIN_VALUES {
+        let usual = match earlier < EARLIER {
             true => whole,
             false => median_of(gains[..earlier].iter().copied()).unwrap_or(whole),
         };
@@ -191,11 +196,13 @@ fn quartile(values: impl Iterator<Item = f64>) -> f64 {
 /// speed to that before, which allows for noise and an early end.
 const STOPPED: (usize, f64) = (24, 0.2);
 
+/// Number of last points from which the final speed is computed.
+const LAST: usize = 3;
 /// Whether a body with the velocity `velocity`, m/s, before point `index` comes to rest soon, as in a hand.
 pub fn is_stopped(points: &[PathPoint], index: usize, velocity: &Vector3<f64>) -> bool {
     let end = index.saturating_add(STOPPED.0).min(points.len());
     let soon = points.get(index..end).unwrap_or_default();
-    let Some([first, _, last]) = soon.last_chunk() else {
+    let Some([first, .., last]) = soon.last_chunk::<LAST>() else {
         return false;
     };
     let moved = (last.position - first.position).norm();
@@ -205,7 +212,7 @@ pub fn is_stopped(points: &[PathPoint], index: usize, velocity: &Vector3<f64>) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground_contact::tests::{INTERVAL, jitter};
+    use crate::ground_contact::tests::jitter;
 
     /// Simulated path of a body thrown at `speed`, m/s, with an upward acceleration `lift`, m/s², that decays with the
     /// time constant `fading`, s. `bounce` contains the index of the first sample after a bounce and the coefficient of
@@ -290,6 +297,9 @@ mod tests {
         let found = first_change(&path[..64]).expect("a bounce");
         assert!(found.sample.abs_diff(60) <= 2);
     }
+
+    /// Interval between samples, s.
+    const INTERVAL: f64 = 1.0 / 120.0;
 
     /// Simulated points of a body that flies at 9 m/s and, from point 40 on, loses the fraction `lost` of its speed
     /// over `braked` sampling intervals.

@@ -5,14 +5,17 @@ mod smooth_motion;
 #[cfg(test)]
 pub(crate) mod tests;
 
-pub(crate) use change::first_change;
+pub(crate) use change::{MIN_UPWARD_PART, first_change};
 use nalgebra::{UnitQuaternion, Vector3};
 
-use crate::levels::{LEAST_NOISE, OUTLIER_VARIANCE};
+use crate::levels::OUTLIER_VARIANCE;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, point_position};
 use dataset::statistics::median_of;
+
+/// Least threshold of the residual variance of a pose, m².
+const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 
 /// Point of the measured path of a body: position of its origin, and attitude if known, in one sample.
 #[derive(Clone, Copy, Debug)]
@@ -123,5 +126,5 @@ pub fn path<'p>(
 /// Residual variance of a pose, m², above which it contains an outlier, given those of all poses of the flight.
 fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
     let usual = median_of(variances).unwrap_or(0.0);
-    OUTLIER_VARIANCE * usual.max(LEAST_NOISE * LEAST_NOISE)
+    (OUTLIER_VARIANCE * usual).max(MIN_OUTLIER_VARIANCE)
 }

@@ -9,6 +9,8 @@ use crate::levels::ROUNDING;
 const SCALE: f64 = 0.1;
 /// Prior standard deviation of the fourth derivative, m/s⁴: a lift of several g that decays within half a second.
 const SNAP: f64 = 300.0;
+/// Ratio of the noise variance to the prior variance of a coefficient that stays 0.
+const FIXED: f64 = 1e9;
 /// Minimum of 1 − leverage as a divisor; smaller values are rounding errors.
 const MIN_FREE_PART: f64 = 0.05;
 
@@ -51,7 +53,7 @@ pub fn fit(points: &[&PathPoint], noise: f64, about: f64, jumps: bool) -> Option
     for index in 0..FUNCTIONS {
         normal[(index, index)] += ROUNDING * normal[(index, index)];
         if index >= JUMP && !jumps {
-            normal[(index, index)] += 1.0 / ROUNDING;
+            normal[(index, index)] += FIXED;
         }
     }
     let snap = SNAP * SCALE.powi(4) / 24.0;

@@ -5,7 +5,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use super::{PathPoint, first_change};
 
 /// Interval between samples, s.
-pub const INTERVAL: f64 = 1.0 / 120.0;
+const INTERVAL: f64 = 1.0 / 120.0;
 /// Spin rate of the simulated disc, and angular rate of its wobble, rad/s.
 const RATES: (f64, f64) = (50.0, 96.0);
 

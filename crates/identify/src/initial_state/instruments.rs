@@ -7,10 +7,12 @@ use nalgebra::{UnitQuaternion, Vector3};
 use super::{RigidMotion, TriedMotion};
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
-use crate::levels::SEGMENT;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::statistics::{median_of, median_vector};
+
+/// Time from the first accelerometer reading over which the specific force is averaged, s.
+const AVERAGED: f64 = 0.15;
 
 /// Initial speeds of the body that are tried if no speed is measured, m/s.
 const SPEEDS: [f64; 3] = [6.0, 12.0, 22.0];
@@ -116,7 +118,7 @@ fn mean_force(
         .map_or_else(Vector3::zeros, |(_, rate, _)| *rate);
     for (time, force, place) in forces
         .iter()
-        .take_while(|(time, ..)| *time <= first + SEGMENT)
+        .take_while(|(time, ..)| *time <= first + AVERAGED)
     {
         while let Some((_, next, _)) = rates.next_if(|(at, ..)| at <= time) {
             rate = *next;

@@ -10,7 +10,6 @@ use ode::OdeRhs;
 use super::RigidMotion;
 use crate::error::FlightError;
 use crate::ids::LocalId;
-use crate::levels::GUESSES;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
@@ -19,6 +18,9 @@ const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0,
 
 /// Distance of the probes from their targets, m, at which the search ends; velocities × `VELOCITY_WEIGHT` count, too.
 const MAX_DISTANCE: f64 = 1e-6;
+
+/// Maximum number of states from which the search for the state with a given motion is started.
+const MAX_GUESSES: usize = 8;
 
 /// Maximum number of states whose motion is compared with the given one before the search.
 const MAX_COMPARED: usize = 4096;
@@ -57,7 +59,7 @@ pub fn state_for_motion(
         .collect();
     sort_by_number(&mut guesses, |guess| guess.0);
     let mut best: Option<(f64, DVector<f64>)> = None;
-    for (_, guess) in guesses.into_iter().take(GUESSES) {
+    for (_, guess) in guesses.into_iter().take(MAX_GUESSES) {
         let found = descend(problem, observations, &mut shown, &target, guess);
         let Some((distance, state)) = found else {
             continue;

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
 use crate::error::FlightError;
-use crate::levels::{LONG_GAP, NEIGHBOURS, OUTLIER_VARIANCE, RANK, UNLIKE};
+use crate::levels::{OUTLIER_VARIANCE, UNLIKE};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::{Pose, point_position, pose};
@@ -38,9 +38,11 @@ impl RigidMotion {
     }
 }
 
-/// Maximum number of samples of the motion: enough to average the noise, few enough for a parabola. With 12, the fit of a
-/// falling plate at 40 Hz ends in another minimum.
+/// Maximum number of samples of the motion: enough to average the noise, few enough for a parabola.
 const MAX_SAMPLES: usize = 16;
+
+/// Maximum time between two poses from which an angular velocity is computed, in sampling intervals.
+const MAX_GAP: f64 = 3.5;
 
 /// Measured position and attitude of a body in one sample.
 struct MeasuredFrame {
@@ -80,6 +82,9 @@ fn measured_frames(
     rows.take(most).collect()
 }
 
+/// Maximum number of samples of a flight from which the initial noise estimate is computed.
+const MAX_NOISE_SAMPLES: usize = 400;
+
 /// Initial noise of a coordinate, m: of a rigid body by the distances of its markers from it, otherwise by third
 /// differences of its path.
 pub fn sigma0(
@@ -88,12 +93,12 @@ pub fn sigma0(
     poses: &[Option<Pose>],
 ) -> Option<f64> {
     if problem.has_attitude && problem.markers.len() >= 3 && problem.is_shown_by_markers() {
-        let poses = poses.iter().flatten();
+        let poses = poses.iter().flatten().take(MAX_NOISE_SAMPLES);
         let mut squares: Vec<f64> = poses.map(Pose::variance).collect();
         // The median of χ² with 3 degrees of freedom is 2.366.
         return (squares.len() >= 3).then(|| (median(&mut squares) * 3.0 / 2.366).sqrt());
     }
-    let seen = measured_frames(problem, observations, observations.times.len());
+    let seen = measured_frames(problem, observations, MAX_NOISE_SAMPLES);
     // Third differences of a smooth path are far below the noise, whose variance they multiply by 20.
     let mut rough: Vec<f64> = seen
         .windows(4)
@@ -162,6 +167,9 @@ fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
     (parabola.position, parabola.velocity)
 }
 
+/// Singular value, relative to the greatest, up to which samples at the same time determine no velocity.
+const RANK_TOLERANCE: f64 = 1e-12;
+
 /// Least-squares parabola in time through measured positions.
 struct Parabola {
     position: Vector3<f64>,
@@ -176,7 +184,7 @@ impl Parabola {
         let design = DMatrix::from_fn(frames.len(), powers, |row, power| {
             frames[row].time.powi(power as i32)
         });
-        let inverse = moore_penrose(&design, RANK);
+        let inverse = moore_penrose(&design, RANK_TOLERANCE);
         let (mut position, mut velocity) = (Vector3::zeros(), Vector3::zeros());
         let mut squares = vec![0.0_f64; frames.len()];
         for axis in 0..3 {
@@ -206,7 +214,7 @@ fn rates(seen: &[MeasuredFrame]) -> Result<Vector3<f64>, FlightError> {
     let turns: Vec<(f64, Vector3<f64>)> = turns.collect();
     // Other sensors may have samples between those of the poses.
     let usual = median_of(turns.iter().map(|(gap, _)| *gap)).unwrap_or(f64::INFINITY);
-    let near = turns.iter().filter(|(gap, _)| *gap <= LONG_GAP * usual);
+    let near = turns.iter().filter(|(gap, _)| *gap <= MAX_GAP * usual);
     let pairs: Vec<Vector3<f64>> = near.map(|(gap, turn)| turn / *gap).collect();
     // A gap of several intervals may hide whole turns that a single interval would show.
     median_vector(&pairs).ok_or(FlightError::NoNeighbouringPoses)
@@ -214,11 +222,12 @@ fn rates(seen: &[MeasuredFrame]) -> Result<Vector3<f64>, FlightError> {
 
 /// Attitude at time 0: of the first poses, rotated back with `rates`, rad/s, the one nearest to the others.
 fn attitude(seen: &[MeasuredFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
+    const FIRST: usize = 5;
     let back = |seen: &MeasuredFrame| {
         let turned = UnitQuaternion::from_scaled_axis(-rates * seen.time);
         seen.attitude.map(|attitude| turned * attitude)
     };
-    let all: Vec<UnitQuaternion<f64>> = seen.iter().take(1 + NEIGHBOURS).filter_map(back).collect();
+    let all: Vec<UnitQuaternion<f64>> = seen.iter().take(FIRST).filter_map(back).collect();
     let distance =
         |one: &UnitQuaternion<f64>| -> f64 { all.iter().map(|other| one.angle_to(other)).sum() };
     all.iter()

@@ -10,7 +10,7 @@ use rand_distr::{Distribution, Normal};
 use super::FittedFlight;
 use crate::fit::Fit;
 use crate::least_squares::{NormalBlock, pseudo_inverse};
-use crate::levels::{MIN_SERIES, ROUGHLY_NOISE};
+use crate::levels::MIN_SERIES;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::{each_residual, residuals};
@@ -23,9 +23,16 @@ const ORDERS: std::ops::RangeInclusive<u32> = 3..=6;
 /// Effect on the predictions, over the noise of the measurements, below which the noise of inputs is negligible.
 const NEGLIGIBLE: f64 = 0.3;
 
+/// Effect over the residuals above which what looks like noise of an input is what the body got: with such noise they
+/// would be larger.
+const NOT_NOISE: f64 = 2.0;
+
 /// Number of draws of noise, all of which must have such an effect: the noise moves few flights in few ways, so that its effect
 /// varies. What was noise is taken for what the body got in one of twenty cases (Barnard 1963).
 const DRAWS: u64 = 19;
+
+/// Seed of the first draw of the noise that is added to the inputs.
+const SEED: u64 = 1;
 
 /// Sums of squares over flights, in units of the noise of the measurements.
 #[derive(Default)]
@@ -57,14 +64,14 @@ impl InputNoise {
                 }
             }
             let drawn = |draw: u64| {
-                let sums = Sums::of_draw(fit, &noisy, noise, (name, draw));
+                let sums = Sums::of_draw(fit, &noisy, noise, (name, SEED + draw));
                 sums.map(|sums| sums.rms())
             };
-            let (effect, residual) = drawn(1)?;
-            let may_be_noise = |(effect, residual): (f64, f64)| effect < ROUGHLY_NOISE * residual;
+            let (effect, residual) = drawn(0)?;
+            let may_be_noise = |(effect, residual): (f64, f64)| effect < NOT_NOISE * residual;
             let matters = effect > NEGLIGIBLE
                 && (may_be_noise((effect, residual))
-                    || (2..=DRAWS).any(|draw| drawn(draw).is_some_and(may_be_noise)));
+                    || (1..DRAWS).any(|draw| drawn(draw).is_some_and(may_be_noise)));
             matters.then(|| Self {
                 input: name.clone(),
                 sigma: median(&mut sigmas),

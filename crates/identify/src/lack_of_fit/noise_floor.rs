@@ -12,6 +12,9 @@ use crate::rounding;
 /// Range (minimum, maximum) in which the lag-1 autocorrelation of the measurement noise is searched.
 const AR1_RANGE: (f64, f64) = (-0.8, 0.95);
 
+/// Number of golden-section steps for the autocorrelation: 10 reduce its range to a hundredth.
+const GOLDEN_STEPS: usize = 10;
+
 /// Step of the lag-1 autocorrelation in the finite difference that gives the curvature of the restricted deviance.
 const CURVATURE_STEP: f64 = 0.03;
 
@@ -130,8 +133,7 @@ fn of_axis(
     let (mut low, mut high) = AR1_RANGE;
     let (mut a, mut b) = (high - ratio * (high - low), low + ratio * (high - low));
     let (mut of_a, mut of_b) = (deviance(a), deviance(b));
-    // Golden-section search, down to half of the step that its curvature is taken over.
-    while high - low > CURVATURE_STEP / 2.0 {
+    for _ in 0..GOLDEN_STEPS {
         if of_a < of_b {
             (high, b, of_b) = (b, a, of_a);
             a = high - ratio * (high - low);

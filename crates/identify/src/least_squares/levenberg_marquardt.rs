@@ -11,7 +11,6 @@ use super::{
     StoppingCriteria, Unknowns,
 };
 use crate::error::FlightError;
-use crate::levels::{RANK, ROUNDING};
 
 /// Result of a least-squares iteration.
 #[derive(Clone, Debug)]
@@ -43,8 +42,17 @@ impl Solution {
     }
 }
 
+/// Initial Levenberg–Marquardt damping, relative to the diagonal of JᵀJ.
+const INITIAL_DAMPING: f64 = 1e-9;
+
+/// Maximum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ, at which a step is tried.
+const MAX_DAMPING: f64 = 1e8;
+
 /// Maximum damping at which a step has practically the length of a Gauss–Newton step.
 const NEGLIGIBLE_DAMPING: f64 = 1e-6;
+
+/// Minimum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ; lower values have no further effect.
+const MIN_DAMPING: f64 = 1e-12;
 
 /// Number of steps, after a rejected one, whose residuals are computed alone first: along a curved valley every second or
 /// third step is rejected, and derivatives, which take most of the time, would be lost.
@@ -74,7 +82,7 @@ pub fn solve_after(
     criteria: StoppingCriteria,
     previous: Option<f64>,
 ) -> Result<Solution, SolveError> {
-    let start = Evaluated::new(problem, start, ROUNDING)?;
+    let start = Evaluated::new(problem, start, INITIAL_DAMPING)?;
     descend(problem, start, criteria, previous)
 }
 
@@ -86,7 +94,7 @@ fn descend(
     mut previous: Option<f64>,
 ) -> Result<Solution, SolveError> {
     let mut at = start;
-    let mut damping = ROUNDING;
+    let mut damping = INITIAL_DAMPING;
     let (mut iterations, mut rejections) = (0, 0);
     // Number of steps accepted one after the other since the last rejected one.
     let mut accepted = WARY;
@@ -99,7 +107,7 @@ fn descend(
         }
         iterations += 1;
         let Some(step) = at.step(problem, damping) else {
-            if damping >= 1.0 / ROUNDING {
+            if damping >= MAX_DAMPING {
                 stop_reason = StopReason::NoDescent;
                 break;
             }
@@ -121,7 +129,7 @@ fn descend(
             stop_reason = StopReason::GivenUp;
             break;
         }
-        let less_damping = (damping * 0.1).max(RANK);
+        let less_damping = (damping * 0.1).max(MIN_DAMPING);
         let is_worse = accepted < WARY && squares_at(problem, &candidate)? >= at.squares;
         let evaluated = match is_worse {
             true => None,
@@ -155,7 +163,7 @@ fn descend(
             }
             refinement.failed();
         }
-        if damping >= 1.0 / ROUNDING {
+        if damping >= MAX_DAMPING {
             stop_reason = StopReason::NoDescent;
             break;
         }
@@ -319,7 +327,7 @@ pub fn solve_with_watchdog(
     start: Iterate,
     criteria: StoppingCriteria,
 ) -> Result<Solution, SolveError> {
-    let mut start = Evaluated::new(problem, start, ROUNDING)?;
+    let mut start = Evaluated::new(problem, start, INITIAL_DAMPING)?;
     let (reached, steps) = undamped_steps(problem, &mut start, criteria)?;
     let remaining = StoppingCriteria {
         max_steps: criteria.max_steps.saturating_sub(steps),
@@ -345,7 +353,7 @@ fn undamped_steps(
             return Ok((None, steps));
         }
         let at = reached.as_mut().unwrap_or(start);
-        let Some(step) = at.step(problem, ROUNDING) else {
+        let Some(step) = at.step(problem, INITIAL_DAMPING) else {
             return Ok((None, steps));
         };
         let Step {
@@ -356,7 +364,7 @@ fn undamped_steps(
         if is_at_minimum || at.squares - predicted_reduction >= squares_at_start {
             return Ok((None, steps));
         }
-        let Some(evaluated) = Evaluated::candidate(problem, &candidate, ROUNDING)? else {
+        let Some(evaluated) = Evaluated::candidate(problem, &candidate, INITIAL_DAMPING)? else {
             return Ok((None, steps + 1));
         };
         if evaluated.squares < squares_at_start {

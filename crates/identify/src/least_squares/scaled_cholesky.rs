@@ -4,9 +4,14 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 
 use crate::levels::RANK;
 
-/// Jacobi scaling of a symmetric matrix: 1/√diagonal, or `otherwise` where that has no finite square.
-pub(crate) fn jacobi_scale(matrix: &DMatrix<f64>, otherwise: f64) -> DVector<f64> {
-    let least = f64::MIN_POSITIVE.sqrt();
+/// Square root of a diagonal entry of a matrix, at or below which the row and the column of this entry are not scaled.
+const MIN_ROOT: f64 = 1e-150;
+
+/// Squared pivot, for a unit diagonal, below which a column depends on the previous ones.
+const MIN_SQUARED_PIVOT: f64 = 10.0 * RANK;
+
+/// Jacobi scaling of a symmetric matrix: 1/√diagonal, or `otherwise` if √diagonal is at most `least`.
+pub(crate) fn jacobi_scale(matrix: &DMatrix<f64>, least: f64, otherwise: f64) -> DVector<f64> {
     matrix.diagonal().map(|value| {
         let root = value.max(0.0).sqrt();
         if root > least { 1.0 / root } else { otherwise }
@@ -28,7 +33,7 @@ pub(crate) struct ScaledCholesky {
 impl ScaledCholesky {
     /// Factors the scaled matrix with `damping` added to its diagonal; `None` if it is not positive definite.
     pub fn new(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
-        let scale = jacobi_scale(matrix, 1.0);
+        let scale = jacobi_scale(matrix, MIN_ROOT, 1.0);
         let mut scaled = scaled(matrix, &scale);
         for i in 0..matrix.nrows() {
             scaled[(i, i)] += damping;
@@ -41,7 +46,7 @@ impl ScaledCholesky {
     pub fn independent(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let factor = Self::new(matrix, damping)?;
         let least = factor.cholesky.l_dirty().diagonal().min();
-        (matrix.nrows() == 0 || least * least > RANK).then_some(factor)
+        (matrix.nrows() == 0 || least * least > MIN_SQUARED_PIVOT).then_some(factor)
     }
 
     /// Solves A x = right, where A is the unscaled matrix with `damping` × its diagonal added.
@@ -75,7 +80,7 @@ impl ScaledCholesky {
 /// along directions without information.
 pub(crate) fn floored_inverse(information: &DMatrix<f64>, least: f64) -> DMatrix<f64> {
     // Unknowns without information have a scale of their own.
-    let scale = jacobi_scale(information, 1e6);
+    let scale = jacobi_scale(information, 1e-100, 1e6);
     let inverse = inverse_by(information, &scale, (f64::EPSILON, 0), |value| {
         1.0 / value.max(least)
     });
@@ -85,7 +90,7 @@ pub(crate) fn floored_inverse(information: &DMatrix<f64>, least: f64) -> DMatrix
 /// Pseudo-inverse of a symmetric positive semidefinite matrix, after scaling to a unit diagonal; `None` if the
 /// eigenvalue iteration fails.
 pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let scale = jacobi_scale(matrix, 1.0);
+    let scale = jacobi_scale(matrix, MIN_ROOT, 1.0);
     inverse_by(matrix, &scale, (1e-14, 10_000), |value| {
         let is_zero = value.is_nan() || value <= RANK;
         if is_zero { 0.0 } else { 1.0 / value }

@@ -9,12 +9,15 @@ use super::{JacobianColumns, Loss, TrajectoryPass};
 use crate::error::FlightError;
 use crate::ids::GlobalId;
 use crate::least_squares::{GramAccumulator, NormalBlock, TestedParameters};
-use crate::levels::SAME;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use lanes::{Kernel, Lanes};
 use model_spec::layout::StateId;
+
+/// Relative error of a term as a combination of the states' derivatives by the initial state, above which these do not
+/// carry every change of the state.
+const SPANNED: f64 = 0.01;
 
 /// What a term is added to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -259,7 +262,7 @@ fn carried(
         }
     }
     let is_carried =
-        (0..added.ncols()).all(|k| left.column(k).norm() <= SAME * added.column(k).norm());
+        (0..added.ncols()).all(|k| left.column(k).norm() <= SPANNED * added.column(k).norm());
     is_carried.then_some(found)
 }
 

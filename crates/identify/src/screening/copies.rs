@@ -11,13 +11,20 @@ use nalgebra::Vector3;
 use super::track::Track;
 use crate::error::{DataFault, FaultKind};
 use crate::ground_contact::PathPoint;
-use crate::levels::{
-    EXPLAINED, LEAST_NOISE, MAX_GAP, MIN_SERIES, MIN_VALUES, ROUGHLY_NOISE, ROUNDS, SIGNIFICANT,
-};
+use crate::levels::{LEAST_NOISE, MAX_GAP, MIN_SERIES, SIGNIFICANT};
 
+/// Ratio of the variance of the difference of two paths to the sum of their noise variances below which they share their
+/// noise; it is 1 for equal motions with independent noise. Rounding to 1 mm leaves 0.14 of noise of 0.5 mm.
+const SHARED: f64 = 0.25;
 /// Numbers of successive differences over which a mean is taken, where one path is smoother than the other: a filter
 /// keeps the slow part of the noise.
 const BLOCKS: [usize; 4] = [4, 8, 16, 32];
+/// Minimum number of means.
+const MIN_BLOCKS: usize = 8;
+/// Ratio of the noise of two paths above which one was filtered.
+const FILTERED: f64 = 2.0;
+/// Number of steps that refine the shift of the clock.
+const STEPS: usize = 4;
 
 /// Turns the later flight of each pair of near copies into a fault.
 pub fn reject(
@@ -128,7 +135,7 @@ fn are_near(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
 
 /// Shift of the clock at which the paths differ least.
 fn refined(dense: &Path<'_>, sparse: &Path<'_>, mut shift: f64) -> f64 {
-    for _ in 0..ROUNDS {
+    for _ in 0..STEPS {
         let (mut along, mut squares) = (0.0, 0.0);
         for (difference, velocity) in differences(dense, sparse, shift) {
             along += difference.dot(&velocity);
@@ -183,7 +190,7 @@ fn share_noise(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
     }
     let variances = [dense, sparse].map(|path| path.noise.powi(2));
     let [limit, greatest, least] = [
-        EXPLAINED * (variances[0] + variances[1]),
+        SHARED * (variances[0] + variances[1]),
         variances[0].max(variances[1]),
         variances[0].min(variances[1]),
     ];
@@ -194,7 +201,7 @@ fn share_noise(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
     if robust_sigma(&mut sizes).powi(2) < limit {
         return true;
     }
-    let is_filtered = greatest > ROUGHLY_NOISE.powi(2) * least;
+    let is_filtered = greatest > FILTERED.powi(2) * least;
     is_filtered
         && BLOCKS.into_iter().any(|block| {
             let means = all.chunks_exact(block);
@@ -202,6 +209,6 @@ fn share_noise(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
             let squares = means.map(|own| own.iter().sum::<Vector3<f64>>().norm_squared());
             // Mean square of a coordinate of a mean, times the number of its differences.
             let variance = squares.sum::<f64>() / (3 * count * block) as f64;
-            count >= MIN_VALUES && variance < limit
+            count >= MIN_BLOCKS && variance < limit
         })
 }

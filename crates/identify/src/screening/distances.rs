@@ -1,14 +1,18 @@
 //! Distances between markers that are fixed to the body: measured, and declared by the template.
 
-use crate::levels::{ALIKE, MAX_MARKERS, ROUNDING};
+use crate::levels::ROUNDING;
 use crate::observers::ChannelConditions;
 use crate::problem::FitProblem;
 use dataset::pose::distance;
 use dataset::statistics::{median, median_of, robust_sigma};
 use dataset::{Flight, Marker};
 
+/// Maximum number of markers whose distances are compared; more add little.
+pub const MAX_MARKERS: usize = 8;
+/// Maximum relative deviation of a pair's ratio from the median, for a scale error common to all pairs.
+const RATIO_SPREAD: f64 = 0.1;
 /// Maximum relative deviation of a ratio of lengths from that of a known unit.
-pub const UNIT_TOLERANCE: f64 = 0.05;
+const UNIT_TOLERANCE: f64 = 0.05;
 /// Deviation of a measured distance that is gross: relative, in m, and in units of the noise of distances; the greatest
 /// of them.
 const GROSS_ERROR: (f64, f64, f64) = (0.25, 0.02, 8.0);
@@ -125,7 +129,7 @@ impl Distances {
         let common = median(&mut ratios.clone());
         let agree = ratios
             .iter()
-            .all(|ratio| (ratio / common - 1.0).abs() < ALIKE);
+            .all(|ratio| (ratio / common - 1.0).abs() < RATIO_SPREAD);
         (agree && common > 0.0).then_some(common)
     }
 

@@ -12,10 +12,12 @@ use super::readings::{of_flights, sensors, series};
 use super::signed_axes::SignedAxes;
 use super::units::gyroscope;
 use crate::error::{DataFault, FaultKind};
-use crate::levels::{AS_GOOD, FEW_FLIGHTS, ROUNDING, is_clear};
-use crate::numbers::displayed;
+use crate::levels::{AS_GOOD, ROUNDING, is_clear};
 use crate::problem::FitProblem;
 use dataset::{Dataset, Flight, Sensor, SensorKind};
+
+/// Number of flights that are compared.
+const COMPARED: usize = 8;
 
 /// Rotation, rad, over which the angular momentum changes as a polynomial does of a degree that is the second number: some
 /// turns, of which none looks like a polynomial.
@@ -27,6 +29,9 @@ const MISPLACED: f64 = 1.0;
 /// Least ratio of what a direction of the offset of a place changes to what another one does, squared, at which it is told.
 const UNTOLD: f64 = 1e-2;
 
+/// Millimetres in a metre.
+const MM: f64 = 1e3;
+
 /// An instrument with its channel.
 type Own<'d> = (&'d Sensor, usize, Instrument);
 
@@ -34,7 +39,7 @@ type Own<'d> = (&'d Sensor, usize, Instrument);
 type Axes = [SignedAxes; 2];
 
 /// Instruments without positions on an axisymmetric body.
-pub struct FreeInstruments<'d> {
+struct FreeInstruments<'d> {
     gyroscope: Own<'d>,
     accelerometer: Option<Own<'d>>,
     flights: Vec<Readings>,
@@ -48,7 +53,7 @@ type Readings = Vec<(f64, Vector3<f64>, Option<Vector3<f64>>)>;
 
 impl<'d> FreeInstruments<'d> {
     /// `None` beside positions or attitudes, and of other bodies.
-    pub fn new(problem: &FitProblem, dataset: &'d Dataset) -> Option<Self> {
+    fn new(problem: &FitProblem, dataset: &'d Dataset) -> Option<Self> {
         let is_pose = |sensor: &Sensor| sensor.kind == SensorKind::Pose;
         if problem.sees_positions() || dataset.sensors.iter().any(is_pose) {
             return None;
@@ -62,7 +67,7 @@ impl<'d> FreeInstruments<'d> {
         let (_, axes) = problem.model.flight_axes()?;
         let (inertia, axis) = (inertia(problem)?, usize::from(axes.spin.number) - 1);
         let [one, other] = [1, 2].map(|next| inertia[((axis + next) % 3, (axis + next) % 3)]);
-        let flights = dataset.flights.iter().take(FEW_FLIGHTS);
+        let flights = dataset.flights.iter().take(COMPARED);
         let channel = forces.map(|(_, channel)| channel);
         ((one - other).abs() < ROUNDING * one).then(|| Self {
             gyroscope: (sensor, rates, Instrument::Gyroscope),
@@ -155,27 +160,10 @@ impl<'d> FreeInstruments<'d> {
         let left = self.unsteadiness(own, place)?;
         let axes = (0..3).filter(|axis| *axis != self.axis);
         // Not −0.
-        let (shown, unit) = displayed("m");
-        let rounded = |axis: usize| (10.0 * shown * place[axis]).round() / 10.0 + 0.0;
-        let axes =
-            axes.map(|axis| format!("{} = {:.1} {unit}", dataset::AXES[axis], rounded(axis)));
+        let rounded = |axis: usize| (10.0 * MM * place[axis]).round() / 10.0 + 0.0;
+        let axes = axes.map(|axis| format!("{} = {:.1} mm", dataset::AXES[axis], rounded(axis)));
         let coordinates = axes.collect::<Vec<_>>().join(", ");
         is_clearly_better(left, before).then_some((coordinates, left))
-    }
-
-    /// Faults of instruments with other axes or at another place, if all forces on the body at rest are its weight.
-    pub fn check(&self, dataset: &Dataset) -> Vec<DataFault> {
-        let why = "only so does the body spin about its axis of symmetry, and the force on it turn slowly";
-        let Some((told, least)) = self.told() else {
-            return self.misplaced(dataset);
-        };
-        let mut faults = told.faults(dataset, why, false);
-        let place = self.other_place();
-        if let Some((place, _)) = place.filter(|(_, left)| *left < AS_GOOD * least) {
-            let also = format!(", or correct the position of the accelerometer: {place}");
-            faults.iter_mut().for_each(|own| own.correction += &also);
-        }
-        faults
     }
 
     /// Fault of an accelerometer that is elsewhere.
@@ -245,9 +233,8 @@ impl<'d> FreeInstruments<'d> {
         is_clear(before / after, count)
     }
 
-    /// Such axes, in both senses of the spin or in that in which an accelerometer shows a slow force: the readings alone
-    /// do not tell whether the flights fit with them.
-    pub fn mirrored(&self) -> Vec<OtherMeaning> {
+    /// Such axes, in both senses of the spin or in that in which an accelerometer shows a slow force.
+    fn mirrored(&self) -> Vec<OtherMeaning> {
         let is_mirrored = self.spin_axis() == Some(self.axis) && self.seems_mirrored();
         let place = self
             .accelerometer
@@ -263,6 +250,30 @@ impl<'d> FreeInstruments<'d> {
         let each = others.map(|axes| OtherMeaning::new(&[self.gyroscope], Meaning::of_axes(axes)));
         each.collect()
     }
+}
+
+/// Faults of instruments with other axes or at another place, given whether all forces on the body at rest are its weight.
+pub fn check(problem: &FitProblem, dataset: &Dataset, falls_freely: bool) -> Vec<DataFault> {
+    let Some(found) = FreeInstruments::new(problem, dataset).filter(|_| falls_freely) else {
+        return Vec::new();
+    };
+    let why =
+        "only so does the body spin about its axis of symmetry, and the force on it turn slowly";
+    let Some((told, least)) = found.told() else {
+        return found.misplaced(dataset);
+    };
+    let mut faults = told.faults(dataset, why, false);
+    let place = found.other_place();
+    if let Some((place, _)) = place.filter(|(_, left)| *left < AS_GOOD * least) {
+        let also = format!(", or correct the position of the accelerometer: {place}");
+        faults.iter_mut().for_each(|own| own.correction += &also);
+    }
+    faults
+}
+
+/// Other axes of a gyroscope with which the flights may fit, and which its readings alone do not tell.
+pub(crate) fn mirrored(problem: &FitProblem, dataset: &Dataset) -> Vec<OtherMeaning> {
+    FreeInstruments::new(problem, dataset).map_or_else(Vec::new, |found| found.mirrored())
 }
 
 fn readings(flight: &Flight, rates: usize, forces: Option<usize>) -> Readings {

@@ -8,10 +8,10 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::distances::{UNITS, confused, correction, unit};
 use super::loads::{Regression, Row, regress, rows};
-use super::mirror::{MEND, reflection, upright};
+use super::mirror::{MEND, UPRIGHT, reflection, upright};
 use super::track::{Conversion, Track};
 use crate::error::{DataFault, FaultKind};
-use crate::levels::{ALONG, CLEARLY_SMALLER, MIN_POPULATION, ROUGHLY_NOISE, UPWARD};
+use crate::levels::{CLEARLY_SMALLER, MIN_POPULATION};
 use crate::problem::FitProblem;
 use dataset::statistics::{median, median_of, median_vector};
 use dataset::{Dataset, Flight, KnownValue};
@@ -20,6 +20,8 @@ use dataset::{Dataset, Flight, KnownValue};
 /// the ratio of the median residual acceleration with gravity to that with the fitted constant.
 const CLEAR: (f64, f64, f64) = (0.5, 8.0, 1.7);
 
+/// Minimum cosine of the angle to gravity of an acceleration that points down: 30°.
+const ALONG: f64 = 0.866;
 /// Ratios to gravity that loads outside the regression may explain; times wrong by a factor of 2 give 4 or 1/4.
 const USUAL_FACTORS: std::ops::Range<f64> = 0.38..2.6;
 /// Minimum misfit of a single faulty flight: in units of gravity, and of the median misfit.
@@ -29,6 +31,8 @@ const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
 /// Maximum misfit after any correction, in units of gravity: shrinking all lengths makes it tend to gravity.
 const MAX_MENDED: f64 = 0.4;
+/// Maximum ratio of the residual acceleration to its standard error that noise alone explains.
+const NOISE: f64 = 2.5;
 /// Weight of the scatter of the accelerations in a misfit.
 const SCATTER_PART: f64 = 0.25;
 
@@ -107,7 +111,7 @@ impl<'a> FreeFall<'a> {
         };
         // If the noise of the windows explains the remaining accelerations, gravity is not questioned.
         let error = median_of(all.iter().map(|row| row.motion.error));
-        let is_noise = error.is_some_and(|error| fixed.remaining < ROUGHLY_NOISE * error);
+        let is_noise = error.is_some_and(|error| fixed.remaining < NOISE * error);
         if !is_noise
             && let Some(free) = regress(&all, None)
             && let Some((fault, detail, correction)) = self.common_fault(&fixed, &free)
@@ -257,7 +261,7 @@ impl<'a> FreeFall<'a> {
             .enumerate()
             .filter(|(other, _)| *other != index);
         let mut others = others.filter_map(|(_, upright)| *upright);
-        if own.abs() < UPWARD || !others.all(|other| other * own < 0.0 && other.abs() > UPWARD) {
+        if own.abs() < UPRIGHT || !others.all(|other| other * own < 0.0 && other.abs() > UPRIGHT) {
             return None;
         }
         let flight = &self.dataset.flights[index];

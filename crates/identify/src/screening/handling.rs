@@ -4,7 +4,6 @@ use nalgebra::Vector3;
 
 use super::track::{MIN_POINTS, Parabola, Track, parabola};
 use crate::error::{DataFault, FaultKind};
-use crate::levels::SIGNIFICANT;
 use dataset::Flight;
 use dataset::statistics::median_of;
 
@@ -13,6 +12,8 @@ const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
 /// Forward force per mass of a push: in units of gravity, and as a part of its magnitude; aerodynamic forces in
 /// moderate wind do not exceed both.
 const PUSH: (f64, f64) = (1.0, 0.5);
+/// Standard errors by which a force must exceed its limit.
+const SIGNIFICANT: f64 = 6.0;
 /// A body at rest: maximum speed, m/s, and as a part of the flight's median speed, and minimum force per mass, in units
 /// of gravity, as a support carries its weight.
 const AT_REST: (f64, f64, f64) = (0.5, 0.08, 0.7);

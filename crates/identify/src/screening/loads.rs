@@ -6,7 +6,6 @@ use ode::IntegrationOptions;
 
 use super::track::{Parabola, Track};
 use crate::ground_contact::PathPoint;
-use crate::levels::{REWEIGHTINGS, SAME};
 use crate::problem::FitProblem;
 use dataset::statistics::{median, median_of};
 
@@ -14,6 +13,8 @@ use dataset::statistics::{median, median_of};
 const PRIOR: f64 = 3.0;
 /// Residual standard deviation in the first iteration, in median accelerations.
 const FIRST_SCALE: f64 = 0.1;
+/// Number of iterations of the robust regression, which reduces the weights of time windows with large residuals.
+const REPETITIONS: usize = 6;
 
 /// Measured motion of one time window, and the loads that may cause its acceleration.
 #[derive(Clone, Debug)]
@@ -107,7 +108,7 @@ pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regressio
     let mut found = DVector::zeros(unknowns);
     let mut inverse = DMatrix::zeros(unknowns, unknowns);
     let mut remaining = typical;
-    for _ in 0..REWEIGHTINGS {
+    for _ in 0..REPETITIONS {
         let mut normal = DMatrix::zeros(unknowns, unknowns);
         let mut right = DVector::zeros(unknowns);
         for (row, weight) in rows.iter().zip(&weights) {
@@ -182,6 +183,8 @@ impl Regression {
 
 /// Half of the simulated duration, s; a fall stays too slow for aerodynamic forces.
 const HALF_DURATION: f64 = 1e-2;
+/// Maximum relative difference of accelerations at different positions and attitudes.
+const MAX_DIFFERENCE: f64 = 1e-2;
 /// Displacements from the default state, rad and × 3 m, at which a release from rest is simulated.
 const VARIATIONS: [f64; 3] = [0.0, 0.4, -0.9];
 
@@ -192,7 +195,7 @@ pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
     let [first, others @ ..] = falls;
     let first = first.filter(|first| first.norm() > 0.1)?;
     let same = |other: Option<Vector3<f64>>| {
-        other.is_some_and(|other| (other - first).norm() < SAME * first.norm())
+        other.is_some_and(|other| (other - first).norm() < MAX_DIFFERENCE * first.norm())
     };
     others.into_iter().all(same).then_some(first)
 }

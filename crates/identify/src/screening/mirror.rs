@@ -8,13 +8,13 @@ use super::track::{Conversion, Track};
 use crate::error::{DataFault, FaultKind};
 use crate::ground_contact::PathPoint;
 use crate::initial_state::{RigidMotion, state_for_motion};
-use crate::levels::{CLEARLY_SMALLER, FEW_SAMPLES, MIN_POPULATION, UPWARD};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use dataset::pose::pose;
 use dataset::statistics::{median, median_of, median_vector};
 use dataset::{Dataset, Flight};
 
+const SAMPLES: usize = 20;
 /// Minimum ratio of the smallest to the largest extent of markers that are not in a plane.
 const THICKNESS: f64 = 0.05;
 /// Minimum ratio of the variance about the template to that about its mirror image, and distance of the markers from the
@@ -57,7 +57,7 @@ pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
         .iter()
         .filter(|row| row.iter().flatten().count() >= 4);
     let rows: Vec<_> = complete.collect();
-    let step = rows.len().div_ceil(FEW_SAMPLES).max(1);
+    let step = rows.len().div_ceil(SAMPLES).max(1);
     let (mut plain, mut mirror) = (Vec::new(), Vec::new());
     for row in rows.into_iter().step_by(step) {
         let (Some(one), Some(other)) = (pose(markers, row), pose(&mirrored, row)) else {
@@ -77,8 +77,14 @@ pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
 // A body that flies upside down in all flights, where the model describes far better what another convention of the
 // axes makes of them. The only check that uses the model's loads.
 
+/// Minimum vertical component of the normal of the markers' plane at which its upper side is clear.
+pub const UPRIGHT: f64 = 0.3;
+/// Minimum number of flights at which mirrored axes are reported; the body must appear upside down in all flights.
+const MIN_FLIGHTS: usize = 3;
 /// Maximum number of compared flights, and of time windows in each.
 const COMPARED: (usize, usize) = (6, 3);
+/// Maximum ratio of the misfit of the mirror images to that of the recorded flights.
+const MISFIT: f64 = 0.6;
 
 /// Body axes of which the third points the other way.
 const TURNED_OVER: Conversion = Conversion {
@@ -117,7 +123,7 @@ pub fn check_all(
     let Some(usual) = usual_side(problem) else {
         return Vec::new();
     };
-    if seen.len() < MIN_POPULATION || !seen.iter().all(|side| is_turned(*side, usual)) {
+    if seen.len() < MIN_FLIGHTS || !seen.iter().all(|side| is_turned(*side, usual)) {
         return Vec::new();
     }
     let (mut plain, mut converted) = (Vec::new(), Vec::new());
@@ -133,8 +139,8 @@ pub fn check_all(
         let track = Track::converted(problem, flight, &conversion);
         converted.extend(misfits(problem, &observations, &track));
     }
-    if plain.len() < MIN_POPULATION
-        || median(&mut converted) > CLEARLY_SMALLER * median(&mut plain)
+    if plain.len() < MIN_FLIGHTS
+        || median(&mut converted) > MISFIT * median(&mut plain)
         || converted.is_empty()
     {
         return Vec::new();
@@ -165,7 +171,7 @@ pub(crate) fn is_upside_down(problem: &FitProblem, flights: &[Observations]) -> 
 
 /// Whether a body with the markers' normal `side` is upside down, where `usual` is that of the default state.
 fn is_turned(side: f64, usual: f64) -> bool {
-    side * usual < 0.0 && side.abs() > UPWARD
+    side * usual < 0.0 && side.abs() > UPRIGHT
 }
 
 /// Vertical component of the markers' normal in the default state; `None` if too small.
@@ -178,7 +184,7 @@ fn usual_side(problem: &FitProblem) -> Option<f64> {
         .map(|marker| Some(observer.position(0.0, &state, marker)))
         .collect();
     let side = (pose(&problem.markers, &shown)?.attitude * normal(&problem.markers)).z;
-    (side.abs() > UPWARD).then_some(side)
+    (side.abs() > UPRIGHT).then_some(side)
 }
 
 /// Whether the model describes flights far better as changed, by their accelerations.
@@ -199,7 +205,7 @@ pub fn is_described_better(
     let (stated, changed) = (misfit(&Flight::clone), misfit(&change));
     stated
         .zip(changed)
-        .is_some_and(|(stated, changed)| changed < CLEARLY_SMALLER * stated)
+        .is_some_and(|(stated, changed)| changed < MISFIT * stated)
 }
 
 /// Differences between measured and modelled accelerations, m/s², in evenly spaced windows.

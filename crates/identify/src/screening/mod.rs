@@ -28,7 +28,7 @@ mod units;
 
 use flight::parallel;
 
-pub(crate) use self::free_axes::FreeInstruments;
+pub(crate) use self::free_axes::mirrored;
 use self::free_fall::FreeFall;
 pub(crate) use self::other_meaning::{OtherMeaning, undetermined};
 pub(crate) use self::pose_frames::Poses;
@@ -56,20 +56,15 @@ type TrackScreening = (
     Vec<Option<Track>>,
 );
 
-/// Screens all flights: the tracks of markers, if they show the body, and the readings of sensors, `free` ones among them.
-pub(crate) fn screen(
-    problem: &FitProblem,
-    dataset: &Dataset,
-    free: Option<&FreeInstruments<'_>>,
-    threads: usize,
-) -> Screening {
+/// Screens all flights: the tracks of markers, if they show the body, and the readings of sensors.
+pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
     let is_tracked = !problem.markers.is_empty() && problem.sees_positions();
     let of_poses = pose_axes::check(problem, dataset);
     let (mut faults, contacts, tracks) = match is_tracked {
         true => screen_tracks(problem, dataset, &of_poses, threads),
         false => (of_poses, Vec::new(), Vec::new()),
     };
-    for fault in sensors::check(problem, dataset, &tracks, free) {
+    for fault in sensors::check(problem, dataset, &tracks) {
         if !faults.iter().any(|own| own.file == fault.file) {
             faults.push(fault);
         }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::track::Track;
 use crate::error::{DataFault, FaultKind};
 use crate::ground_contact::PathPoint;
-use crate::levels::{ALIKE, ALONG, BESIDE, MAX_GAP, MIN_VALUES};
+use crate::levels::MAX_GAP;
 use crate::observations::pose_points;
 use crate::problem::FitProblem;
 use dataset::pose::distance;
@@ -16,11 +16,12 @@ use dataset::{Dataset, Flight};
 const FROZEN_SAMPLES: usize = 4;
 /// Minimum motion in the same time elsewhere in the flight, m, of a frozen track.
 const FROZEN_DISTANCE: f64 = 0.005;
-/// Minimum motion that is clear, in units of the resolution or the noise of the coordinates: positions repeat, or frames are
-/// missing.
-const CLEAR_STEPS: f64 = 10.0;
+/// Minimum motion of repeated positions, in units of the resolution of the coordinates.
+const FROZEN_STEPS: f64 = 10.0;
 /// Minimum fraction of the intervals without motion, of a flight with repeated values.
 const REPEATED_FRACTION: f64 = 0.3;
+/// Minimum number of samples at which a flight is checked for being a copy of an earlier flight.
+const COPY_SAMPLES: usize = 8;
 
 pub fn check(problem: &FitProblem, dataset: &Dataset, flight: usize) -> Option<DataFault> {
     copy(problem, dataset, flight)
@@ -31,7 +32,7 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, flight: usize) -> Option<D
 fn copy(problem: &FitProblem, dataset: &Dataset, flight: usize) -> Option<DataFault> {
     let this = &dataset.flights[flight];
     let count = this.times.len();
-    if count < MIN_VALUES || !is_noisy(&pose_points(problem, this)) {
+    if count < COPY_SAMPLES || !is_noisy(&pose_points(problem, this)) {
         return None;
     }
     let mut earlier = dataset.flights[..flight].iter();
@@ -125,7 +126,7 @@ pub enum Repeated {
 pub fn repeated(track: &[(usize, [f64; 3])], least: f64) -> Option<Repeated> {
     let (runs, still) = runs(track);
     let pairs = track.len().saturating_sub(1);
-    let step = CLEAR_STEPS * resolution(track);
+    let step = FROZEN_STEPS * resolution(track);
     if still as f64 > REPEATED_FRACTION * pairs as f64 && moves_by(track, 1) > step {
         return Some(Repeated::Often { still, pairs });
     }
@@ -178,43 +179,51 @@ fn resolution(track: &[(usize, [f64; 3])]) -> f64 {
 
 // Jumps of a whole track within one sampling interval: another body, or frames that are missing.
 
+/// Number of points on each side of a possible jump, which is the distance between the lines through them.
+const SIDE: usize = 8;
 /// Minimum jump: in units of the noise of the path, in m, and in units of the motion in its sampling interval.
 const JUMP_SIZE: (f64, f64, f64) = (15.0, 0.08, 0.5);
 
+/// Minimum jump by whole frames, in units of the noise: no motion looks like a missing frame.
+const FRAMES: f64 = 10.0;
+/// Maximum difference between a jump and the motion in whole frames, in frames.
+const WHOLE: f64 = 0.2;
+/// Minimum cosine of the angle between a jump and the velocity, of missing frames.
+const AHEAD: f64 = 0.97;
+
 pub fn jumps(track: &Track, flight: &Flight) -> Option<DataFault> {
     let points = &track.points;
-    if points.len() < 2 * BESIDE {
+    if points.len() < 2 * SIDE {
         return None;
     }
     let usual = median_of(points.windows(2).map(|w| w[1].time - w[0].time))?;
     let least = (JUMP_SIZE.0 * track.noise).max(JUMP_SIZE.1);
-    for index in BESIDE..=points.len() - BESIDE {
+    for index in SIDE..=points.len() - SIDE {
         let interval = points[index].time - points[index - 1].time;
         if interval > MAX_GAP * usual {
             continue;
         }
-        if let Some(ahead) = missing_frames(points, index, CLEAR_STEPS * track.noise) {
+        if let Some(ahead) = missing_frames(points, index, FRAMES * track.noise) {
             return Some(frames_are_missing(flight, ahead, points[index].time));
         }
         if !may_jump(points, index, least) {
             continue;
         }
         let time = points[index - 1].time + 0.5 * interval;
-        let (from, before) = line(&points[index - BESIDE..index], time);
-        let (to, after) = line(&points[index..index + BESIDE], time);
+        let (from, before) = line(&points[index - SIDE..index], time);
+        let (to, after) = line(&points[index..index + SIDE], time);
         let jump = to - from;
         let step = 0.5 * (before + after) * interval;
         // Lines fitted to a curved path miss its end points, by equal amounts on sides of equal length.
-        let span = |side: &[PathPoint]| side[BESIDE - 1].time - side[0].time;
-        let longest =
-            span(&points[index - BESIDE..index]).max(span(&points[index..index + BESIDE]));
+        let span = |side: &[PathPoint]| side[SIDE - 1].time - side[0].time;
+        let longest = span(&points[index - SIDE..index]).max(span(&points[index..index + SIDE]));
         let curved = (after - before).norm() * longest / 6.0;
         if jump.norm() < least.max(JUMP_SIZE.2 * step.norm()) + curved {
             continue;
         }
         let size = jump.norm();
         let time = points[index].time;
-        if jump.dot(&step) > ALONG * size * step.norm() {
+        if jump.dot(&step) > AHEAD * size * step.norm() {
             return Some(frames_are_missing(flight, size, time));
         }
         return Some(DataFault::new(
@@ -251,8 +260,8 @@ fn missing_frames(points: &[PathPoint], index: usize, least: f64) -> Option<f64>
     let step = usual * frame;
     let ahead = (velocity(index) - usual) * interval(index);
     let frames = (ahead.dot(&step) / step.norm_squared()).round();
-    let is_whole = (ahead - frames * step).norm() < ALIKE * step.norm();
-    let is_steady = (after - before).norm() < ALIKE * usual.norm();
+    let is_whole = (ahead - frames * step).norm() < WHOLE * step.norm();
+    let is_steady = (after - before).norm() < WHOLE * usual.norm();
     let size = ahead.norm();
     (frames >= 1.0 && is_whole && is_steady && size > least).then_some(size)
 }

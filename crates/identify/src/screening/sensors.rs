@@ -1,14 +1,13 @@
 //! Faults of the readings of gyroscopes, accelerometers, speeds and poses: saturated and repeated ones, and those of
 //! other units, axes and conventions.
 
-use super::free_axes::FreeInstruments;
 use super::meaning::Meaning;
 use super::other_meaning::OtherMeaning;
 use super::readings::{of_flights, sensors, series};
 use super::records::{self, Repeated};
 use super::track::Track;
 use super::units::{unit, why};
-use super::{instrument_axes, loads};
+use super::{free_axes, instrument_axes, loads};
 use crate::error::{DataFault, FaultKind};
 use crate::problem::FitProblem;
 use dataset::{Dataset, Flight, Sensor, SensorKind};
@@ -17,14 +16,8 @@ use dataset::{Dataset, Flight, Sensor, SensorKind};
 /// rounded readings repeat all their values, and as many samples of one of them show that they do.
 const SATURATED: (usize, usize) = (5, 3);
 
-/// Faults of the readings of all sensors; `tracks` are those of the flights that show attitudes and positions, `free` the
-/// instruments of a body that neither is measured of.
-pub fn check(
-    problem: &FitProblem,
-    dataset: &Dataset,
-    tracks: &[Option<Track>],
-    free: Option<&FreeInstruments<'_>>,
-) -> Vec<DataFault> {
+/// Faults of the readings of all sensors; `tracks` are those of the flights that show attitudes and positions.
+pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) -> Vec<DataFault> {
     let mut faults = Vec::new();
     let is_instrument = |sensor: &Sensor| matches!(sensor.kind, SensorKind::Instrument(_));
     let has_instruments = dataset.sensors.iter().any(is_instrument);
@@ -52,10 +45,10 @@ pub fn check(
                 .flat_map(|found| of_flights(dataset, channel, found)),
         );
     }
-    match free {
-        Some(free) if faults.is_empty() && gravity.is_some() => free.check(dataset),
-        _ => faults,
+    if faults.is_empty() {
+        faults = free_axes::check(problem, dataset, gravity.is_some());
     }
+    faults
 }
 
 /// Longest run of the same reading along one axis in a flight, in samples: at a limit, and of any other reading.

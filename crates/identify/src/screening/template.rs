@@ -1,15 +1,14 @@
 //! Faults that distances between markers reveal: a unit of length, exchanged labels, a misplaced marker.
 
-use super::distances::{Distances, confused, correction, unit};
+use super::distances::{Distances, MAX_MARKERS, confused, correction, unit};
 use crate::error::{DataFault, FaultKind};
-use crate::levels::{EXPLAINED, MAX_MARKERS};
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight, Marker};
 
 /// Minimum magnitude of the log ratio of measured to declared distances for a wrong unit: about 20 %.
 const MIN_LOG_RATIO: f64 = 0.18;
-/// Maximum fraction of samples that are exceptions: gross distances of a marker, or labels that are not exchanged.
-const EXCEPTIONS: f64 = 0.15;
+/// Maximum fraction of a marker's samples with gross distances that are outliers.
+const GROSS_FRACTION: f64 = 0.15;
 
 /// First fault of the flight that the distances reveal; `rigid` is that of [`rigid_pairs`](super::distances::rigid_pairs).
 pub fn check(dataset: &Dataset, flight: usize, rigid: &[bool]) -> Option<DataFault> {
@@ -91,7 +90,7 @@ fn misplaced_marker(
     }
     let fraction = |marker: usize| wrong[marker] as f64 / measured[marker].max(1) as f64;
     let worst = (0..count).max_by(|&a, &b| fraction(a).total_cmp(&fraction(b)))?;
-    if fraction(worst) <= EXCEPTIONS {
+    if fraction(worst) <= GROSS_FRACTION {
         return None;
     }
     let name = &markers[worst].name;
@@ -125,6 +124,11 @@ const ASSUMED_ERROR: (f64, f64) = (1e-3, 2.0);
 /// Log-likelihood ratio of exchanged to declared labels: at most that of one sample, at least that of consecutive samples
 /// together.
 const EVIDENCE: (f64, f64) = (25.0, 100.0);
+
+/// Maximum ratio of the squared errors with exchanged labels to those with declared labels, without noise.
+const ERROR_RATIO: f64 = 0.2;
+/// Minimum fraction of exchanged samples for a fault of the whole flight.
+const WHOLE: f64 = 0.9;
 
 /// Consecutive samples that match better after a permutation, and the log-likelihood ratio in them.
 struct SampleRange {
@@ -168,7 +172,7 @@ fn labels(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<
     let samples = stretch.last - stretch.first + 1;
     let file = &flight.file;
     let (from, to) = (flight.times[stretch.first], flight.times[stretch.last]);
-    let (part, rows) = match samples as f64 >= (1.0 - EXCEPTIONS) * flight.times.len() as f64 {
+    let (part, rows) = match samples as f64 >= WHOLE * flight.times.len() as f64 {
         true => (String::new(), String::new()),
         false => (
             format!(" from t = {from:.3} s to {to:.3} s"),
@@ -269,5 +273,5 @@ fn exchanged_range(distances: &Distances, permuted: &[f64]) -> Option<SampleRang
     let exchanged = median_of(within.iter().map(|(_, exchanged)| *exchanged))?;
     // Noise contributes to both errors; the error in excess of noise must vanish.
     let noise = distances.pairs.len() as f64 * distances.noise.powi(2);
-    (exchanged - noise < EXPLAINED * (named - noise).max(0.0)).then_some(best)
+    (exchanged - noise < ERROR_RATIO * (named - noise).max(0.0)).then_some(best)
 }

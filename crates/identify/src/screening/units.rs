@@ -4,7 +4,6 @@
 use model_spec::compose::Instrument;
 use nalgebra::Vector3;
 
-use super::distances::UNIT_TOLERANCE;
 use super::readings::{sensors, series};
 use dataset::statistics::median_of;
 use dataset::{ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, SPEEDS, Sensor, SensorKind};
@@ -12,6 +11,8 @@ use dataset::{ACCELERATIONS, ANGULAR_RATES, Dataset, Flight, SPEEDS, Sensor, Sen
 /// Maximum relative difference of the apparent from a known unit: motions of the axis turn at another rate than the
 /// spin.
 const UNIT_ERROR: f64 = 0.5;
+/// The same of speeds: their units are nearer to one another, and wind may halve a speed.
+const SPEED_UNIT_ERROR: f64 = 0.08;
 /// Maximum angle by which a direction may turn in the body from sample to sample, rad: nearly half a turn.
 const MAX_TURN: f64 = 2.5;
 /// Minimum share of what turns in the mean square of the angular velocity across its mean direction; the rest is noise.
@@ -102,7 +103,7 @@ pub fn unit(
     let known = UnitOfReadings::all(instrument).map(|unit| (unit, error(unit)));
     let nearest = known.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let limit = match instrument {
-        Instrument::Speed => UNIT_TOLERANCE,
+        Instrument::Speed => SPEED_UNIT_ERROR,
         _ => UNIT_ERROR,
     };
     (nearest.1 < limit).then_some(nearest.0)

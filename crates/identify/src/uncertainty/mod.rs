@@ -9,7 +9,7 @@ pub use non_identifiability::non_identifiable;
 pub use profile::profile;
 
 use crate::least_squares::{ReducedSystem, floored_inverse};
-use crate::levels::{MIN_VALUES, RANK};
+use crate::levels::RANK;
 use crate::problem::GlobalParameter;
 
 const NORMAL_975: f64 = 1.959_963_984_540_054;
@@ -36,6 +36,9 @@ fn standard_errors(covariance: &DMatrix<f64>) -> DVector<f64> {
     variances.map(|variance| variance.max(0.0).sqrt())
 }
 
+/// Minimum number of flights for a cluster-robust covariance.
+const MIN_CLUSTERS: usize = 8;
+
 impl Covariance {
     /// Covariance from the reduced normal equations of whitened residuals and the priors.
     pub fn new(system: &ReducedSystem<'_>, flights: usize, global: &[GlobalParameter]) -> Self {
@@ -46,7 +49,7 @@ impl Covariance {
             }
         }
         let model = floored_inverse(&information, RANK);
-        let clustered = (flights >= MIN_VALUES && !global.is_empty()).then(|| {
+        let clustered = (flights >= MIN_CLUSTERS && !global.is_empty()).then(|| {
             let mut scatter = DMatrix::zeros(global.len(), global.len());
             let mean = &system.gradient / flights as f64;
             for flight in 0..flights {

@@ -2,11 +2,13 @@
 
 use model_spec::sort_by_number;
 
-use super::NORMAL_975;
 use crate::ids::GlobalId;
 use crate::least_squares::{Iterate, Solution, SolveError};
 use crate::problem::GlobalParameter;
 use crate::report::Profile;
+
+/// 95 % quantile of the χ² distribution with 1 degree of freedom.
+const CHI2_95: f64 = 3.841_458_820_694_124;
 
 /// Number of values on each side of the estimate at which the profile likelihood is computed, and their spacing in
 /// standard errors of the parameter.
@@ -63,9 +65,8 @@ fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     sort_by_number(&mut side, |point| point[0] * direction);
     side.windows(2).find_map(|pair| {
         let [[from, low], [to, high]] = [pair[0], pair[1]];
-        let [low, high] = [low.sqrt(), high.sqrt()];
-        (low < NORMAL_975 && high >= NORMAL_975).then(|| {
-            let part = (NORMAL_975 - low) / (high - low);
+        (low < CHI2_95 && high >= CHI2_95).then(|| {
+            let part = (CHI2_95.sqrt() - low.sqrt()) / (high.sqrt() - low.sqrt());
             from + part * (to - from)
         })
     })

@@ -7,13 +7,16 @@ use crate::contact_time::{Onset, contact_time};
 use crate::fit::FittedFlight;
 use crate::fit::initial_guess::{first_segment, refined_guesses};
 use crate::fit::output_error::FixedGlobal;
-use crate::levels::{BESIDE, FAR_ABOVE, UPWARD};
+use crate::ground_contact::MIN_UPWARD_PART;
+use crate::levels::FAR_ABOVE;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use dataset::Flight;
 
 /// Numbers of samples before and after the last used sample of a truncated flight that are searched again.
 const SEARCH_RANGE: (usize, usize) = (12, 14);
+/// Number of samples by which the ranges of two successive searches for a ground contact in one flight overlap.
+const OVERLAP: usize = 8;
 
 /// Global parameters and noise of the reference fit.
 pub struct Search<'a> {
@@ -105,7 +108,7 @@ impl Search<'_> {
             }
             // A contact just before the end of one search is found in the next, whose fit includes samples after it.
             samples = match until < to {
-                true => until.saturating_sub(BESIDE).max(samples + 1),
+                true => until.saturating_sub(OVERLAP).max(samples + 1),
                 false => to,
             };
         }
@@ -149,5 +152,5 @@ impl Search<'_> {
 
 /// Whether the velocity jump of a detected contact is sufficiently upward for a contact with the ground.
 fn is_upward(onset: &Onset) -> bool {
-    onset.jump.z > UPWARD * onset.jump.norm()
+    onset.jump.z > MIN_UPWARD_PART * onset.jump.norm()
 }

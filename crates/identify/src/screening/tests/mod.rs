@@ -10,7 +10,7 @@ mod mistakes;
 use ::flight::release::{Release, Stop, Vocabulary, built_in, read};
 use model_spec::model::Model;
 
-use super::{FreeInstruments, screen};
+use super::screen;
 use crate::error::{DataFault, FaultKind};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
@@ -46,12 +46,7 @@ pub fn plan(flights: usize, seed: u64) -> Plan {
 
 pub fn found(model: &Model, dataset: &Dataset) -> Vec<DataFault> {
     let problem = FitProblem::new(model, dataset, &FitOptions::default()).expect("a problem");
-    screened(&problem, dataset)
-}
-
-pub fn screened(problem: &FitProblem, dataset: &Dataset) -> Vec<DataFault> {
-    let free = FreeInstruments::new(problem, dataset);
-    screen(problem, dataset, free.as_ref(), 2).0
+    screen(&problem, dataset, 2).0
 }
 
 /// Releases of a disc: an ordinary throw, and throws at steep angles of attack, fast, slow and upside down.
