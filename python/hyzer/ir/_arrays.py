@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 from ._document import Ir, Output
 from ._program import Values
@@ -177,7 +177,8 @@ class ArrayModel(Generic[A]):
     def _checked(self, name: str, value: Any, names: Sequence[str], defaults: Any = None) -> Any:
         """Return an array with an element for each name along its last axis."""
         if isinstance(value, Mapping):
-            parts = [self._library.array(part) for part in by_name(name, value, names, defaults)]
+            given = by_name(name, cast("Mapping[Any, Any]", value), names, defaults)
+            parts = [self._library.array(part) for part in given]
             batch = self._library.broadcast_shapes(*(part.shape for part in parts))
             places = [(k,) for k in range(len(names))]
             return self._library.dense(parts, places, batch, (len(names),))
@@ -215,7 +216,8 @@ def by_name(what: str, values: Mapping[Any, Any], names: Sequence[str], defaults
         found, expected = ", ".join(map(str, values)), ", ".join(names)
         some = "some of " if defaults is not None else ""
         raise ValueError(f"{what}: found the names {found}, expected {some}{expected}")
-    return [values[name] if name in values else defaults[k] for k, name in enumerate(names)]
+    others = [None for _ in names] if defaults is None else defaults
+    return [values.get(name, other) for name, other in zip(names, others, strict=True)]
 
 
 def ordered(what: str, value: Any, names: Sequence[str]) -> Any:
@@ -225,7 +227,8 @@ def ordered(what: str, value: Any, names: Sequence[str]) -> Any:
     numbers are no labels. Rows of a list have labels of their own.
     """
     if isinstance(value, (list, tuple)):
-        return [ordered(what, row, names) for row in value] if _has_rows(value) else value
+        rows = cast("Sequence[Any]", value)
+        return [ordered(what, row, names) for row in rows] if _has_rows(rows) else rows
     labels = _labels(value)
     if not any(isinstance(label, str) for label in labels):
         return value

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from ._arrays import by_name, ordered
 from ._document import Ir, Output, Table
@@ -150,12 +150,13 @@ def _by_labels(casadi: Any, function: Any, ir: Ir) -> Any:
 
     class Labelled(casadi.Function):  # type: ignore[misc]
         def __init__(self, function: Any) -> None:
-            super().__init__(function)
+            casadi.Function.__init__(self, function)
 
         def __call__(self, *arguments: Any, **named: Any) -> Any:
             of = [function.name_in(k) for k in range(len(arguments))]
             given = [self._vector(own, value) for own, value in zip(of, arguments, strict=True)]
-            return super().__call__(*given, **{k: self._vector(k, v) for k, v in named.items()})
+            others = {k: self._vector(k, v) for k, v in named.items()}
+            return casadi.Function.__call__(self, *given, **others)
 
         def __reduce__(self) -> Any:
             return casadi.Function.deserialize, (self.serialize(),)
@@ -170,7 +171,8 @@ def _by_labels(casadi: Any, function: Any, ir: Ir) -> Any:
 def _vector(casadi: Any, what: str, value: Any, names: Sequence[str], defaults: Any) -> Any:
     """Return a labelled vector, or the labelled rows of a table as columns, in order."""
     if isinstance(value, Mapping):
-        return casadi.vertcat(*by_name(what, value, names, defaults))
+        given = by_name(what, cast("Mapping[Any, Any]", value), names, defaults)
+        return casadi.vertcat(*given)
     found = ordered(what, value, names)
     return found.T if hasattr(value, "columns") and found is not value else found
 
