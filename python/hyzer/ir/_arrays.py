@@ -246,8 +246,10 @@ def _has_rows(value: Sequence[Any]) -> bool:
 
 def _labels(value: Any) -> list[Any]:
     """Return the labels of the last axis of an array of pandas, polars or xarray; else none."""
-    if hasattr(value, "columns"):
-        return list(value.columns)
+    columns = getattr(value, "columns", None)
+    # Matrices of CasADi have a method of that name.
+    if columns is not None and not callable(columns):
+        return list(columns)
     if hasattr(value, "iloc"):
         return list(value.index)
     dims, coords = getattr(value, "dims", ()), getattr(value, "coords", {})

@@ -79,6 +79,10 @@ def test_casadi_takes_labels() -> None:
         np.testing.assert_array_equal(np.array(model.rhs(0, given, model.p0)), expected)
         named = model.rhs(t=0, x=given, p={})["dx"]
         np.testing.assert_array_equal(np.array(named), expected)
+    casadi = pytest.importorskip("casadi")
+    symbol = casadi.MX.sym("x", 6)
+    of_symbol = casadi.Function("f", [symbol], [model.rhs(0, symbol, model.p0)])
+    np.testing.assert_array_equal(np.array(of_symbol(x.to_numpy())), expected)
     frame = pd.DataFrame([x, 2 * x])[states[::-1]]
     several = np.array(model.rhs(0, frame, model.p0))
     np.testing.assert_array_equal(several[:, :1], expected)
