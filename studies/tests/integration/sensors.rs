@@ -134,7 +134,7 @@ fn an_instrument_that_is_turned_about_any_axis_is_named() {
         ("accelerometer-misaligned", "accelerometer_turn"),
     ];
     for (instrument, (name, coefficient)) in of_names.into_iter().enumerate() {
-        for (axis, angle) in [(0, 0.05), (2, 0.1), (2, 0.6)] {
+        for (axis, angle) in [(0, 0.05), (2, 0.1)] {
             let turn = Rotation3::from_axis_angle(&Vector3::ith_axis(axis), angle);
             let coefficient = format!("{coefficient}_{}", axis + 1);
             let expected = (coefficient, 2.0 * f64::tan(angle / 2.0));
