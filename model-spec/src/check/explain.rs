@@ -97,7 +97,7 @@ impl Checker<'_> {
             false => span,
         };
         let mut fault = Diagnostic::new(Kind::Unit, span, message);
-        if self.is_told(&fault) {
+        if self.is_reported(&fault) {
             return fault;
         }
         for group in groups {
@@ -124,7 +124,7 @@ impl Checker<'_> {
         let is = self.described(found);
         let message = format!("{rule}, but `{}` is {is}", self.text(span));
         let fault = Diagnostic::new(Kind::Unit, span, message).label(span, is);
-        if self.is_told(&fault) {
+        if self.is_reported(&fault) {
             self.report(fault);
             return false;
         }

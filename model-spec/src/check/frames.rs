@@ -248,7 +248,7 @@ impl<'a> Checker<'a> {
             return;
         }
         // Errors that are not shown need no suggestions.
-        let is_shown = self.told.len() < MAX_SHOWN;
+        let is_shown = self.reported.len() < MAX_SHOWN;
         let count = if is_shown { usize::MAX } else { 0 };
         let states = self.model.states.iter().take(count);
         let states: Vec<String> = states.map(|s| s.name.clone()).collect();
@@ -258,7 +258,7 @@ impl<'a> Checker<'a> {
             None => format!("there is no state `{}`", name.text),
         };
         let mut fault = Diagnostic::new(Kind::Name, name.span, message);
-        if self.is_told(&fault) {
+        if self.is_reported(&fault) {
             return self.report(fault);
         }
         if let Some(declared) = declared {

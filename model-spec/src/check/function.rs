@@ -37,7 +37,7 @@ impl<'a> Checker<'a> {
     /// Checks each function once, with parameters of the declared types, whether it is called or not.
     pub fn functions(&mut self) {
         // The errors so far are of copies.
-        self.told.clear();
+        self.reported.clear();
         for function in self.declared_functions() {
             let earlier = self.diagnostics.len();
             self.function(function);

@@ -190,7 +190,7 @@ struct Checker<'a> {
     /// Names of the elements of arrays in the file, each with how it is written.
     elements: HashMap<&'a str, String>,
     /// Errors so far, by [`Checker::place`].
-    told: HashSet<(Span, String)>,
+    reported: HashSet<(Span, String)>,
 }
 
 impl<'a> Checker<'a> {
@@ -221,7 +221,7 @@ impl<'a> Checker<'a> {
             parts_of_body: Parts::default(),
             unitless,
             elements: file.items.iter().filter_map(shown::written).collect(),
-            told: HashSet::new(),
+            reported: HashSet::new(),
         }
     }
 
@@ -247,7 +247,7 @@ impl<'a> Checker<'a> {
     }
 
     fn report(&mut self, fault: Diagnostic) {
-        self.told.insert(self.place(&fault));
+        self.reported.insert(self.place(&fault));
         self.diagnostics.push(fault);
     }
 
@@ -260,8 +260,8 @@ impl<'a> Checker<'a> {
     }
 
     /// Whether the error was reported before, of another element or another copy of a function.
-    fn is_told(&self, fault: &Diagnostic) -> bool {
-        self.told.contains(&self.place(fault))
+    fn is_reported(&self, fault: &Diagnostic) -> bool {
+        self.reported.contains(&self.place(fault))
     }
 
     /// Reports an error; returns `None`.

@@ -136,7 +136,7 @@ impl Checker<'_> {
         let element = self.element_in_text(name, span);
         let shown = element.as_ref().map_or(name, |(_, shown)| shown);
         let mut fault = Diagnostic::new(Kind::Name, span, format!("there is no `{shown}`"));
-        if self.is_told(&fault) {
+        if self.is_reported(&fault) {
             return self.refuse(fault);
         }
         if name == super::PREVIOUS {
@@ -224,7 +224,7 @@ impl Checker<'_> {
 
     /// Statements in which what explains an error is searched: errors that are not shown need no search.
     pub fn searched(&self) -> &[ast::Item] {
-        match self.told.len() < MAX_SHOWN {
+        match self.reported.len() < MAX_SHOWN {
             true => &self.file.items,
             false => &[],
         }
@@ -294,7 +294,7 @@ impl Checker<'_> {
     /// States of the body's `position`, `velocity` or `angular_velocity`.
     pub fn states_of_body(&self, name: &str) -> Option<[&str; 3]> {
         // Errors that are not shown need no search.
-        let is_shown = self.told.len() < MAX_SHOWN;
+        let is_shown = self.reported.len() < MAX_SHOWN;
         let parts = &self.declared_body.filter(|_| is_shown)?.parts;
         let words = name.replace('_', " ");
         parts.iter().find_map(|part| match &part.kind {

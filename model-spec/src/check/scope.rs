@@ -186,7 +186,7 @@ impl Checker<'_> {
 
     /// Names that an error message may suggest; none for errors beyond those shown.
     pub fn declared_names(&self) -> impl Iterator<Item = &str> {
-        let is_shown = self.told.len() < MAX_SHOWN;
+        let is_shown = self.reported.len() < MAX_SHOWN;
         let count = if is_shown { usize::MAX } else { 0 };
         let of_body = OF_BODY.iter().filter(|_| self.declared_body.is_some());
         let names = self.scope.order.iter().map(String::as_str);

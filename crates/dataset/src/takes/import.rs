@@ -76,11 +76,12 @@ impl ImportedTake {
         let labels = followed.labels(take);
         let mut turned = take.clone().with_z_up(up, options.left_handed);
         let found = find_throws(&turned, &labels, &ThrowOptions::default());
-        if found.throws.is_empty() {
-            let error = unit_by_template(take, &followed, options)
+        if found.throws.is_empty()
+            && let Some(error) = unit_by_template(take, &followed, options)
                 .map(|fault| TakeError::new(file, fault))
-                .or_else(|| found_otherwise(take, file, &labels, (up, options.left_handed)));
-            error.map_or(Ok(()), Err)?;
+                .or_else(|| found_otherwise(take, file, &labels, (up, options.left_handed)))
+        {
+            return Err(error);
         }
         let mut notes = take.notes.clone();
         if followed.is_pose() {
