@@ -111,13 +111,18 @@ fn misread(
 /// Checks that a diagnosis names `effect` alone, with the value of its coefficient, where an instrument is misread.
 fn assert_named(
     (instrument, effect): (usize, &str),
-    (coefficient, expected): (String, f64),
+    expected: (String, f64),
     change: impl Fn(Vector3<f64>) -> Vector3<f64>,
 ) {
     let set = observed(true, inertial(), [0.0; 3]);
     let mut dataset = sensor_flights(&disc(), &PLAN, &set, 7);
     misread(&mut dataset, instrument, change);
-    let found = diagnose(&disc(), &dataset, &DiagnosisOptions::default());
+    assert_names(&dataset, effect, expected);
+}
+
+/// Checks that a diagnosis names `effect` alone, with the value of its coefficient.
+fn assert_names(dataset: &Dataset, effect: &str, (coefficient, expected): (String, f64)) {
+    let found = diagnose(&disc(), dataset, &DiagnosisOptions::default());
     let report = found.expect("a diagnosis").report;
     let effects = &report.explanations[0].effects;
     assert_eq!(effects.len(), 1, "{}", report.summary);
@@ -134,7 +139,7 @@ fn an_instrument_that_is_turned_about_any_axis_is_named() {
         ("accelerometer-misaligned", "accelerometer_turn"),
     ];
     for (instrument, (name, coefficient)) in of_names.into_iter().enumerate() {
-        for (axis, angle) in [(0, 0.05), (2, 0.1)] {
+        for (axis, angle) in [(0, 0.05), (2, 0.6)] {
             let turn = Rotation3::from_axis_angle(&Vector3::ith_axis(axis), angle);
             let coefficient = format!("{coefficient}_{}", axis + 1);
             let expected = (coefficient, 2.0 * f64::tan(angle / 2.0));
@@ -159,6 +164,30 @@ fn a_wrong_scale_of_any_axis_of_an_instrument_is_named() {
             });
         }
     }
+}
+
+/// Keeps every third sample, with the readings of the gyroscope from two samples before.
+fn delayed(dataset: &mut Dataset) {
+    for flight in &mut dataset.flights {
+        let kept = (2..flight.times.len()).step_by(3);
+        let read = |k: usize| {
+            let mut row = flight.readings[k].clone();
+            row[0] = flight.readings[k - 2][0];
+            row
+        };
+        flight.readings = kept.clone().map(read).collect();
+        flight.positions = kept.clone().map(|k| flight.positions[k].clone()).collect();
+        flight.times = kept.map(|k| flight.times[k]).collect();
+    }
+}
+
+#[test]
+fn a_gyroscope_that_is_late_by_a_part_of_the_time_between_samples_is_named() {
+    let set = observed(true, inertial(), [0.0; 3]);
+    let mut dataset = sensor_flights(&disc(), &PLAN, &set, 7);
+    delayed(&mut dataset);
+    let expected = ("gyro_late".to_owned(), 2.0 / PLAN.rate);
+    assert_names(&dataset, "gyroscope-late", expected);
 }
 
 #[test]

@@ -20,6 +20,8 @@ pub(crate) struct EncompassingModel {
     pub candidates: IndexVec<CandidateId, Candidate>,
     /// The term library whose loads are part of the model; `None` if no library is compatible with the model.
     pub library: Option<Arc<TermLibrary>>,
+    /// Names of the effects that conflict with others before them, and are no candidates.
+    pub conflicting: Vec<String>,
 }
 
 impl EncompassingModel {
@@ -31,8 +33,8 @@ impl EncompassingModel {
             Some((library, with_loads)) => (Some(library), with_loads),
             None => (None, ModelTree::of(model)),
         };
-        let all = match compose_all(&base, &effects) {
-            Ok(all) => all,
+        let (all, conflicting) = match compose_all(&base, &effects) {
+            Ok(all) => (all, Vec::new()),
             // Two effects conflict.
             Err(_) => compose_compatible(&base, &effects)?,
         };
@@ -50,6 +52,7 @@ impl EncompassingModel {
             candidates: candidates.collect(),
             model: all,
             library,
+            conflicting,
         })
     }
 
@@ -111,18 +114,21 @@ fn compose_all(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadEr
     tree.check()
 }
 
-/// Adds the effects to the model one by one, and skips each effect that conflicts with the effects added before.
-fn compose_compatible(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadError> {
-    let mut tree = base.clone();
+/// Adds the effects to the model one by one, and skips each effect that conflicts with the effects added before; their names.
+fn compose_compatible(
+    base: &ModelTree,
+    effects: &[EffectTree],
+) -> Result<(Model, Vec<String>), LoadError> {
+    let (mut tree, mut conflicting) = (base.clone(), Vec::new());
     let mut model = tree.check()?;
     for effect in effects {
         let with = tree.with(effect);
-        let checked = with.and_then(|with| Ok((with.check()?, with)));
-        if let Ok((next, with)) = checked {
-            (model, tree) = (next, with);
+        match with.and_then(|with| Ok((with.check()?, with))) {
+            Ok((next, with)) => (model, tree) = (next, with),
+            Err(_) => conflicting.push(display_name(effect.name())),
         }
     }
-    Ok(model)
+    Ok((model, conflicting))
 }
 
 // Candidate effects: effects that the model may lack.
@@ -242,6 +248,15 @@ mod tests {
             for state in &candidate.states {
                 assert_eq!(layout.state(&state.name), Some(state.id));
             }
+        }
+    }
+
+    #[test]
+    fn no_effect_of_the_catalogue_conflicts_with_others() {
+        for name in ["disc", "disc_quaternion", "ball"] {
+            let model = model_spec::load::load(name, &[]).unwrap();
+            let all = EncompassingModel::new(&model, &[]).unwrap();
+            assert_eq!(all.conflicting, Vec::<String>::new(), "{name}");
         }
     }
 

@@ -71,6 +71,7 @@ impl<'a> Analysis<'a> {
             encompassing,
             is_despite_faults,
         } = base;
+        let conflicting = encompassing.conflicting.join(", ");
         let (mut model, mut base) = ScoreTestModel::new(encompassing, context, &before)?;
         let threads = options.fit.threads();
         let mut set_aside = Vec::new();
@@ -108,6 +109,11 @@ impl<'a> Analysis<'a> {
                 "every flight has a fault of the data; they are used all the same, as an effect may explain it"
                     .to_owned(),
             );
+        }
+        if !conflicting.is_empty() {
+            analysis.notes.push(format!(
+                "not tested, as they conflict with other candidates: {conflicting}; --with adds one to the model"
+            ));
         }
         if !set_aside.is_empty() {
             let files = set_aside.join(", ");

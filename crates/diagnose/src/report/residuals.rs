@@ -126,7 +126,7 @@ pub(crate) fn withdraw_by_excess(report: &mut Report, excess: Option<&String>) {
 
 /// Withdraws the verdict where the data contradict what the user states, most flights could not be used, or recorded inputs
 /// are too noisy: the effect may stand in for it. A prior was contradicted for want of the effect if that explains far more
-/// than leaving the prior out would, and no conflict is left with it.
+/// than leaving the prior out would, and no conflict is left with it; so were readings that the extended model predicts.
 pub(crate) fn withdraw_by_doubts(
     report: &mut Report,
     before: &FitReport,
@@ -138,13 +138,10 @@ pub(crate) fn withdraw_by_doubts(
     let alpha = report.threshold.alpha;
     let fits = { report.lack_of_fit.as_ref() }.is_some_and(|found| !found.fails(alpha));
     let after = after.filter(|_| explained && fits);
+    let at = after.unwrap_or(before);
     let mut doubts = before.contradicted.clone();
-    doubts.extend(
-        after
-            .unwrap_or(before)
-            .prior_conflicts()
-            .map(|(why, _)| why),
-    );
+    doubts.extend(at.misread.iter().cloned());
+    doubts.extend(at.prior_conflicts().map(|(why, _)| why));
     doubts.extend(exclusion_caution(before));
     doubts.extend(input_noise(before));
     if doubts.is_empty() || !report.states_cause() {

@@ -256,8 +256,7 @@ impl Screened<'_> {
             floor_m.unwrap_or(reweighted.noise.overall()),
         );
         let (mut report, reports) = outcome::reports(&state, &reweighted)?;
-        let exchanged = reading_axes::exchanged(&state, &reweighted.cache);
-        report.contradicted.extend(exchanged);
+        report.misread = reading_axes::exchanged(&state, &reweighted.cache);
         let offsets = pose_offset::offsets(&state, &reweighted.cache);
         report.doubts.extend(offsets);
         let Reweighted {

@@ -101,6 +101,7 @@ pub fn reports(
         open_side: open_side(state.problem, &state.flights),
         excess: marker_distances::excess(state, &fitted.cache),
         contradicted: filtered::filtered(state).into_iter().collect(),
+        misread: Vec::new(),
         not_identifiable,
         profiles,
         residuals: pool.axes(),

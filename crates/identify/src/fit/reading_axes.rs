@@ -8,7 +8,7 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::channel::ChannelKind;
 use crate::levels::{AS_GOOD, MAX_DELAY, is_clear};
-use crate::screening::SignedAxes;
+use crate::screening::{SignedAxes, nearest_rotation};
 use dataset::statistics::median_of;
 
 /// Predicted and measured readings of one flight, less their means, as instruments have offsets, and the time between them, s.
@@ -32,11 +32,14 @@ pub fn exchanged(state: &State<'_>, cache: &ResidualCache) -> Vec<String> {
             Instrument::Speed => return None,
         };
         let flights = readings(state, cache, channel);
-        let axes = better_axes(&flights);
-        // A delay turns what rotates with the body, too.
+        let (turn, if_turned) = best_turn(&flights);
+        let clearly = AS_GOOD * if_turned;
+        // An oblique mounting, and a delay, turn what rotates with the body, too.
+        let axes = better_axes(&flights)
+            .filter(|(axes, left)| *left < clearly || *axes == SignedAxes::nearest(&turn));
         if let Some((delay, left)) = delay(&flights)
             && axes.is_none_or(|(_, other)| left < other)
-            && left < AS_GOOD * if_turned(&flights)
+            && left < clearly
         {
             return Some(format!(
                 "{} follows the motion of the body only if it is about {:.3} s {}: correct its times",
@@ -109,18 +112,14 @@ fn better_axes(flights: &[Readings]) -> Option<(SignedAxes, f64)> {
         .then_some((*axes, found.sum() / count as f64))
 }
 
-/// Mean square that the readings leave if they are turned by what brings them nearest to the prediction.
-fn if_turned(flights: &[Readings]) -> f64 {
-    let (mut products, mut squares, mut count) = (Matrix3::zeros(), 0.0, 0.0);
-    for [predicted, measured] in flights.iter().flat_map(|own| &own.0) {
-        products += predicted * measured.transpose();
-        squares += predicted.norm_squared() + measured.norm_squared();
-        count += 1.0;
-    }
-    let along = products.singular_values();
-    // The best rotation: a mirror image may be nearer.
-    let least = products.determinant().signum() * along[2];
-    (squares - 2.0 * (along[0] + along[1] + least)) / count
+/// The rotation that brings the readings nearest to the prediction, and the mean square that it leaves.
+fn best_turn(flights: &[Readings]) -> (Matrix3<f64>, f64) {
+    let pairs = || flights.iter().flat_map(|own| &own.0);
+    let products = pairs().map(|[predicted, measured]| predicted * measured.transpose());
+    let turn = nearest_rotation(&products.sum());
+    let squares = pairs().map(|[predicted, measured]| (turn * measured - predicted).norm_squared());
+    let sum: f64 = squares.sum();
+    (turn, sum / pairs().count() as f64)
 }
 
 /// Delay of the readings, s, with which they are clearly nearer to the prediction, and the mean square that it leaves.

@@ -78,6 +78,10 @@ pub struct FitReport {
     #[serde(skip)]
     #[doc(hidden)]
     pub contradicted: Vec<String>,
+    /// Instruments whose readings follow the motion only along other axes or at other times, one sentence each.
+    #[serde(skip)]
+    #[doc(hidden)]
+    pub misread: Vec<String>,
     /// Constants that are stated far from the model's values.
     #[serde(skip)]
     #[doc(hidden)]

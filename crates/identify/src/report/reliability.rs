@@ -40,7 +40,8 @@ impl FitReport {
     #[doc(hidden)]
     pub fn conflicts(&self) -> Vec<String> {
         let priors = self.prior_conflicts().map(|(why, _)| why);
-        priors.chain(self.contradicted.iter().cloned()).collect()
+        let stated = self.contradicted.iter().chain(&self.misread).cloned();
+        priors.chain(stated).collect()
     }
 
     /// Cautions of constants that seem to be stated in another unit than the model's.

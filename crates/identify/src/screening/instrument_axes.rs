@@ -1,18 +1,23 @@
 //! Axes, units and frames of gyroscopes and accelerometers, compared with the motion that measured attitudes show.
 
 use model_spec::compose::Instrument;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::meaning::Meaning;
 use super::momentum::is_clearly_better;
 use super::motion::{Comparison, comparisons};
 use super::other_meaning::OtherMeaning;
 use super::readings::series;
+use super::signed_axes::SignedAxes;
 use super::track::Track;
 use crate::error::FaultKind;
 use crate::levels::{AS_GOOD, MAX_DELAY};
 use dataset::statistics::median_of;
 use dataset::{Dataset, Sensor};
+
+/// Steps to the rotation of an instrument, and the longest of them, rad.
+const TURNS: usize = 12;
+const MAX_TURN: f64 = 0.5;
 
 /// Kind, message and correction of readings that follow the motion of the body only with another meaning.
 pub fn check(
@@ -34,11 +39,13 @@ pub fn check(
         });
         each.flatten().collect()
     };
+    let size = |compared: &[Comparison]| -> f64 {
+        compared.iter().map(|own| own.expected.norm_squared()).sum()
+    };
     let misfit = |compared: &[Comparison], meaning: &Meaning| {
-        let size: f64 = compared.iter().map(|own| own.expected.norm_squared()).sum();
         let unit = meaning.unit.value(instrument);
         let squares = compared.iter().map(|own| own.misfit(meaning, unit));
-        squares.sum::<f64>() / size
+        squares.sum::<f64>() / size(compared)
     };
     let as_they_are = compared(0.0);
     if as_they_are.is_empty() {
@@ -47,15 +54,44 @@ pub fn check(
     let meanings = Meaning::all(instrument);
     let stated = meanings[0];
     let (meaning, is_alone) = clearly_best(meanings, |own| misfit(&as_they_are, own))?;
-    // A delay turns what rotates with the body, as other axes do: the fit tells it.
+    // A delay turns what rotates with the body, as other axes do, and so does an oblique mounting: the fit tells them.
     let left = misfit(&as_they_are, &meaning);
     let is_late = |delay: f64| misfit(&compared(delay), &stated) < left;
-    if !meaning.axes.is_identity() && delays(dataset, channel).any(is_late) {
+    let (turn, if_turned) = best_turn(&as_they_are);
+    let is_oblique = AS_GOOD * if_turned < left * size(&as_they_are)
+        && SignedAxes::nearest(&turn) != meaning.axes;
+    if !meaning.axes.is_identity() && (is_oblique || delays(dataset, channel).any(is_late)) {
         return None;
     }
     let why = "only so do the readings follow the motion of the body";
     let meaning = OtherMeaning::new(&[(sensor, channel, instrument)], meaning);
     Some(meaning.fault(why, is_alone))
+}
+
+/// The rotation from the axes of an instrument to those of the body with which its readings are nearest to what is expected,
+/// by Gauss and Newton's method, and the squared differences that it leaves.
+fn best_turn(compared: &[Comparison]) -> (Matrix3<f64>, f64) {
+    let mut turn = Matrix3::identity();
+    for _ in 0..TURNS {
+        let (mut normal, mut gradient) = (Matrix3::zeros(), Vector3::zeros());
+        for own in compared {
+            let by = [0, 1, 2].map(|axis| {
+                let about = Vector3::ith(axis, 1.0).cross_matrix();
+                own.turned(&(about * turn))
+            });
+            let by = Matrix3::from_columns(&by);
+            normal += by.transpose() * by;
+            gradient += by.transpose() * (own.expected - own.turned(&turn));
+        }
+        let Some(step) = normal.lu().solve(&gradient) else {
+            break;
+        };
+        // Far from the solution a step may be of several turns.
+        let step = step.cap_magnitude(MAX_TURN);
+        turn = Rotation3::from_scaled_axis(step).matrix() * turn;
+    }
+    let left = compared.iter().map(|own| own.expected - own.turned(&turn));
+    (turn, left.map(|left| left.norm_squared()).sum())
 }
 
 /// Times, s, by which readings may be late or, negative, early.

@@ -1,7 +1,7 @@
 //! Motion that measured attitudes show, beside the readings of an instrument.
 
 use model_spec::compose::Instrument;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use super::meaning::Meaning;
 use super::track::Track;
@@ -20,6 +20,15 @@ pub struct Comparison {
 }
 
 impl Comparison {
+    /// What the readings are in inertial components, if this leads from the axes of the instrument to those of the body.
+    pub fn turned(&self, turn: &Matrix3<f64>) -> Vector3<f64> {
+        let each = self.along.iter().enumerate().flat_map(|(body, along)| {
+            let each = along.iter().enumerate();
+            each.map(move |(own, reading)| turn[(body, own)] * reading)
+        });
+        each.sum()
+    }
+
     /// Squared difference of the readings from what is expected, if they are meant so, in a unit of this value.
     pub fn misfit(&self, meaning: &Meaning, unit: f64) -> f64 {
         let read = match meaning.in_room {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// For each axis of the body: the axis of the instrument along it, and its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +61,17 @@ impl SignedAxes {
         each.collect()
     }
 
+    /// Those that are nearest to a rotation from the axes of the instrument to those of the body.
+    pub fn nearest(turn: &Matrix3<f64>) -> Self {
+        let likeness = |own: &Self| -> f64 {
+            let each = (0..3).map(|body| own.along(body).1 * turn[(body, own.along(body).0)]);
+            each.sum()
+        };
+        let all = Self::all().into_iter();
+        all.max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
+            .unwrap_or_default()
+    }
+
     pub fn is_identity(self) -> bool {
         self.changes() == 0
     }
@@ -107,4 +118,15 @@ impl fmt::Display for SignedAxes {
         });
         write!(f, "({})", names.join(", "))
     }
+}
+
+/// The rotation R that brings vectors b nearest to vectors a: `products` is the sum of a bᵀ (Kabsch 1976).
+pub fn nearest_rotation(products: &Matrix3<f64>) -> Matrix3<f64> {
+    let found = products.svd(true, true);
+    let (Some(left), Some(right)) = (found.u, found.v_t) else {
+        return Matrix3::identity();
+    };
+    // A mirror image may be nearer.
+    let sign = (left * right).determinant().signum();
+    left * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * right
 }

@@ -115,7 +115,7 @@ fn exchanged_axes_of_a_gyroscope_are_named_where_the_rates_about_them_are_small(
                 ..FitOptions::default()
             };
             let report = fit(&model, &turned, &options).expect("a fit").report;
-            (report.contradicted, report.cautions, report.data_faults)
+            (report.misread, report.cautions, report.data_faults)
         };
         let (_, cautions, faults) = told([0, 1, 2]);
         assert_eq!((cautions, faults), (Vec::new(), Vec::new()), "{rate} Hz");
@@ -153,7 +153,7 @@ fn a_late_gyroscope_is_told_and_not_its_axes() {
             rates[flight][sample.saturating_sub(late)].map(|rate| rate + noise())
         });
         let found = fit(&model, &read, &FitOptions::default()).expect("a fit");
-        found.report.contradicted
+        found.report.misread
     };
     assert_eq!(told(0), Vec::<String>::new());
     let late = told(4);

@@ -294,6 +294,7 @@ pub fn report(flights: usize) -> FitReport {
         far_constants: Vec::new(),
         doubt_of_summaries: None,
         contradicted: Vec::new(),
+        misread: Vec::new(),
         excess: None,
         open_side: None,
         not_identifiable: vec![NonIdentifiable {
