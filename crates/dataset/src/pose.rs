@@ -171,33 +171,43 @@ mod tests {
         assert!(pose.squares < 1e-24);
     }
 
+    /// Markers of a body that is much longer than wide.
+    const SLENDER: [[f64; 3]; 3] = [[0.3, 0.0, 0.0], [-0.3, 0.0, 0.0], [0.0, 0.03, 0.0]];
+
     #[test]
     fn no_other_pose_is_nearer() {
-        for turn in 0..12 {
-            let attitude = UnitQuaternion::from_euler_angles(0.5 * f64::from(turn), -0.7, 3.0);
-            let mut seen = MARKERS.map(|m| Some((attitude * Vector3::from(m)).into()));
-            for (k, seen) in seen.iter_mut().flatten().enumerate() {
-                let seen: &mut [f64; 3] = seen;
-                seen[k] += 0.004;
-                seen[(k + turn as usize) % 3] -= 0.007;
-            }
-            let pose = pose(&MARKERS, &seen).unwrap();
-            let squares = |attitude: UnitQuaternion<f64>, position: Vector3<f64>| -> f64 {
-                let pairs = MARKERS.iter().zip(seen.iter().flatten());
-                let gap = |(m, s): (&[f64; 3], &[f64; 3])| {
-                    (position + attitude * Vector3::from(*m) - Vector3::from(*s)).norm_squared()
-                };
-                pairs.map(gap).sum()
-            };
-            assert!((squares(pose.attitude, pose.position) - pose.squares).abs() < 1e-15);
-            for axis in 0..6 {
-                for size in [-1e-4, 1e-4] {
-                    let mut step = [0.0; 6];
-                    step[axis] = size;
-                    let turned = UnitQuaternion::new(Vector3::from_column_slice(&step[..3]));
-                    let plus = pose.position + Vector3::from_column_slice(&step[3..]);
-                    assert!(squares(turned * pose.attitude, plus) > pose.squares);
+        for markers in [MARKERS, SLENDER] {
+            for turn in 0..12 {
+                let attitude = UnitQuaternion::from_euler_angles(0.5 * f64::from(turn), -0.7, 3.0);
+                let mut seen = markers.map(|m| Some((attitude * Vector3::from(m)).into()));
+                for (k, seen) in seen.iter_mut().flatten().enumerate() {
+                    let seen: &mut [f64; 3] = seen;
+                    seen[k] += 0.004;
+                    seen[(k + turn as usize) % 3] -= 0.007;
                 }
+                is_nearest(&markers, &seen);
+            }
+        }
+    }
+
+    #[track_caller]
+    fn is_nearest(markers: &[[f64; 3]; 3], seen: &[Option<[f64; 3]>; 3]) {
+        let pose = pose(markers, seen).unwrap();
+        let squares = |attitude: UnitQuaternion<f64>, position: Vector3<f64>| -> f64 {
+            let pairs = markers.iter().zip(seen.iter().flatten());
+            let gap = |(m, s): (&[f64; 3], &[f64; 3])| {
+                (position + attitude * Vector3::from(*m) - Vector3::from(*s)).norm_squared()
+            };
+            pairs.map(gap).sum()
+        };
+        assert!((squares(pose.attitude, pose.position) - pose.squares).abs() < 1e-15);
+        for axis in 0..6 {
+            for size in [-1e-4, 1e-4] {
+                let mut step = [0.0; 6];
+                step[axis] = size;
+                let turned = UnitQuaternion::new(Vector3::from_column_slice(&step[..3]));
+                let plus = pose.position + Vector3::from_column_slice(&step[3..]);
+                assert!(squares(turned * pose.attitude, plus) > pose.squares);
             }
         }
     }

@@ -52,3 +52,22 @@ pub(crate) fn if_possible<T, E: Into<DiagnosisError>>(
         Err(_) => Ok(None),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use identify::FlightError;
+
+    #[test]
+    fn an_error_of_one_flight_names_it() {
+        let file = || "a.csv".to_owned();
+        let of_flight = DiagnosisError::UndeterminedInitialState { file: file() };
+        assert_eq!(of_flight.flight(), Some("a.csv"));
+        let of_fit = FitError::Flight {
+            file: file(),
+            reason: FlightError::NoMatchingState,
+        };
+        assert_eq!(DiagnosisError::from(of_fit).flight(), Some("a.csv"));
+        assert_eq!(DiagnosisError::SingularInformation.flight(), None);
+    }
+}

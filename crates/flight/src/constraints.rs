@@ -86,7 +86,7 @@ impl Constraints {
         let states = self.layout.default_states();
         let at = |parameters: &[f64]| self.bind(parameters.to_vec()).deviations(0.0, &states);
         let mut moved = parameters.to_vec();
-        moved[index] = 1.01 * moved[index] + 0.01;
+        moved[index] += 0.01 * (1.0 + moved[index].abs());
         let ((a, da), (b, db)) = (at(parameters), at(&moved));
         let mut all = a.iter().chain(&da).zip(b.iter().chain(&db));
         all.any(|(a, b)| (a - b).abs() > 0.0)

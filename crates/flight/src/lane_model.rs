@@ -26,7 +26,8 @@ use ode::{
 /// A model whose flights are integrated in SIMD lanes, one flight per lane.
 pub struct LaneModel {
     model: Model,
-    /// Whether flights are integrated with Rust code generated from the model rather than with a tape.
+    /// Whether flights are integrated with Rust code generated from the model rather than with a tape; of a model with
+    /// switches never.
     is_generated: bool,
     /// The model compiled to a tape; compiled on the first use of the tape.
     tape: OnceLock<TapeModel>,
@@ -44,9 +45,11 @@ impl LaneModel {
     /// Prepares `model` for SIMD lanes, with generated Rust code of the same source hash, or else a tape.
     pub fn new(model: &Model) -> LaneModel {
         let generated = generated::model(&model.name);
+        let is_current = generated.is_some_and(|code| code.source_hash == source_hash(model));
+        let interpreted = LaneModel::interpreted(model);
         LaneModel {
-            is_generated: generated.is_some_and(|code| code.source_hash == source_hash(model)),
-            ..LaneModel::interpreted(model)
+            is_generated: is_current && interpreted.switches.is_none(),
+            ..interpreted
         }
     }
 
@@ -224,31 +227,12 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
             parameters: E::MODEL.parameters.len(),
             prepared: E::MODEL.prepared.len(),
             limits: self.model.limits(),
-            scratch: self.model.switch_registers(),
+            scratch: 0,
         }
     }
 
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
         self.model.breaks(p, breaks);
-    }
-
-    fn switches(&self) -> &[Switch] {
-        self.model.switches()
-    }
-
-    fn switch_bounds(
-        &self,
-        t: Enclosure,
-        x: &[Enclosure],
-        p: &[f64],
-        to: &mut [Enclosure],
-    ) -> bool {
-        self.model.switch_bounds(t, x, p, to)
-    }
-
-    #[inline(always)]
-    fn switch_arguments<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]) {
-        self.model.switch_arguments(at, scratch, to);
     }
 
     #[inline(always)]

@@ -214,13 +214,12 @@ fn unit_by_template(take: &Take, followed: &Followed, options: &ImportOptions) -
     Some(fault(found, format!("--length {other}")))
 }
 
-/// Mean distance of all markers from their mean, m; `None` if one is not seen, or all are at one place.
+/// Sum of the distances of all markers from their mean, m; `None` if one is not seen, or all are at one place.
 fn size(places: &[Option<[f64; 3]>]) -> Option<f64> {
     let places = places.iter().map(|own| own.map(Vector3::from));
     let places: Vec<Vector3<f64>> = places.collect::<Option<_>>()?;
-    let count = places.len() as f64;
-    let mean = places.iter().sum::<Vector3<f64>>() / count;
-    let size = places.iter().map(|own| (own - mean).norm()).sum::<f64>() / count;
+    let mean = places.iter().sum::<Vector3<f64>>() / places.len() as f64;
+    let size = places.iter().map(|own| (own - mean).norm()).sum::<f64>();
     (size > 0.0).then_some(size)
 }
 

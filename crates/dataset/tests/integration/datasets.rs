@@ -72,14 +72,14 @@ fn rounded_times_of_frames_are_evenly_spaced_and_noted() {
 }
 
 #[test]
-fn one_sample_integers_and_all_flights_held_out_are_ordinary() {
-    let manifest = MANIFEST.replace("[0.0, 0.0, 0.0]", "[0, 0, 0]").replace(
+fn one_sample_integers_the_farthest_marker_and_all_flights_held_out_are_ordinary() {
+    let manifest = MANIFEST.replace("[0.0, 0.0, 0.0]", "[0, 0, 10]").replace(
         "omega = [1.0, 2.0, 3.0]",
         "omega = [1, 2, 3], rho = 1.19, vz = -3",
     );
     let table = "t,centre_x,centre_y,centre_z\n1700000000.5,1,2,3\n";
     let dataset = read_both(manifest.as_bytes(), table.as_bytes()).expect("it is well formed");
-    assert_eq!(dataset.markers[0].position, [0.0; 3]);
+    assert_eq!(dataset.markers[0].position, [0.0, 0.0, 10.0]);
     let known = &dataset.flights[0].known;
     assert_eq!(known["omega"], KnownValue::Vector([1.0, 2.0, 3.0]));
     assert_eq!(known["rho"], KnownValue::Scalar(1.19));

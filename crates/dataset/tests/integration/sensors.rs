@@ -113,3 +113,25 @@ fn what_is_stated_wrongly_is_refused() {
         assert!(error.contains(message), "{error}\nexpected {message}");
     }
 }
+
+#[test]
+fn readings_have_the_units_of_what_is_measured() {
+    use model_spec::unit::Unit;
+    let of_kind = |kind: SensorKind| {
+        let text = format!(
+            "model m; param a = 1 {}; frame N; state x = 0 s; der(x) = a/a;",
+            kind.unit()
+        );
+        let model = model_spec::load::from_text("m.hyz", &text, &[]);
+        model.unwrap_or_else(|error| panic!("{error}")).params[0].unit
+    };
+    for (kind, name) in SensorKind::ALL {
+        let unit = match name {
+            "pose" => Unit::METRE,
+            "gyroscope" => Unit::RATE,
+            "accelerometer" => Unit::ACCELERATION,
+            _ => Unit::SPEED,
+        };
+        assert_eq!(of_kind(kind), unit, "{name}");
+    }
+}

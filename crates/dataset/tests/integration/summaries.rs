@@ -68,6 +68,8 @@ fn mistakes_are_told_with_their_places() {
         ("[5]", "[4]", "no flight at line 4"),
         ("[5]", "[5, 5]", "each line once"),
         ("[5]", "5", "the lines of the rows"),
+        ("[5]", "[4.5]", "the lines of the rows"),
+        ("[5]", "[1]", "the lines of the rows"),
         (
             "positive = \"right\"",
             "positive = \"up\"",

@@ -124,6 +124,15 @@ fn spread_varies_what_is_no_position() {
     assert_eq!(of("v").0, 0.5);
     assert_eq!(of("phi").0, 0.1);
     assert_eq!(of("gammadot").0, 0.1 * of("gammadot").1);
+    // An attitude varies as much where a quaternion is its state: the parts of a small turn are half its angle.
+    let quaternion = model_spec::load::load("disc_quaternion", &[]).expect("a model");
+    let upright = quaternion
+        .states
+        .iter()
+        .map(|own| f64::from(own.name == "q0"));
+    let deviations = spread.deviations(&quaternion, &upright.collect::<Vec<_>>());
+    let place = quaternion.states.iter().position(|own| own.name == "q1");
+    assert_eq!(2.0 * deviations[place.expect("a state")], of("phi").0);
     let alike = Plan {
         spread: Spread {
             fraction: 0.0,

@@ -206,6 +206,15 @@ mod tests {
                 },
                 ..default
             },
+            // A throw of one and a half samples.
+            DiagnosisOptions {
+                throws: ThrowRanges {
+                    rate: 0.5,
+                    duration: 3.0,
+                    ..ThrowRanges::default()
+                },
+                ..default
+            },
         ];
         for options in &cases {
             assert!(options.validate(&model).is_err(), "{options:?}");

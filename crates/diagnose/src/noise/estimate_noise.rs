@@ -122,6 +122,8 @@ impl ScoreTestModel<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
+    use crate::context::TrajectoryCache;
     use crate::test_support::fixture;
 
     #[test]
@@ -141,5 +143,22 @@ mod tests {
         // The dataset was made with noise of 1.5 mm.
         assert!((noise.overall() / 0.0015 - 1.0).abs() < 0.1, "{noise:?}");
         assert!(misfit.overall() > 1.5 * noise.overall(), "{misfit:?}");
+        // What the noise was estimated beside, and nothing that has one value for all flights.
+        let at = LinearizationPoint {
+            problem: &fixture.model.problem,
+            iterate: &fixture.iterate,
+            cache: &TrajectoryCache::DISABLED,
+        };
+        let blocks = fixture.model.normal_equations_with_terms(at, &misfit);
+        let global = &fixture.iterate.global;
+        let tests = ScoreTests::new(&fixture.model, &blocks.unwrap(), &[], global).unwrap();
+        let is_significant = |id| tests.candidates[id].as_ref().unwrap().ln_p_value < -20.0;
+        assert!(is_significant(stall[0]));
+        let with = fixture.model.with_significant_states(&tests, &[]);
+        assert!(
+            with.iter()
+                .all(|id| fixture.model.candidate(*id).is_per_flight())
+        );
+        assert!(with.iter().all(|id| is_significant(*id)));
     }
 }

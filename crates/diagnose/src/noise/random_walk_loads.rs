@@ -239,6 +239,31 @@ mod tests {
         assert_eq!(hat(&knots, 0, 0.25), 0.0);
     }
 
+    /// A random walk: the variance grows from knot to knot, and nothing in it says otherwise.
+    #[test]
+    fn without_any_evidence_a_load_is_what_was_assumed() {
+        let flight = FlightLoads {
+            flight: 0,
+            knots: knots(0.6),
+            gradient: DVector::zeros(8),
+            information: DMatrix::zeros(8, 8),
+        };
+        let assumed = WalkSigma {
+            first: 0.3,
+            increment: 0.1,
+        };
+        let mut sigmas = [assumed, WalkSigma::INITIAL];
+        let (mean, covariance) = flight.posterior(&sigmas).unwrap();
+        assert_eq!(mean.amax(), 0.0);
+        for knot in 0..4 {
+            let expected = 0.09 + 0.01 * knot as f64;
+            assert!((covariance[(knot, knot)] - expected).abs() < 1e-9);
+        }
+        maximise(&mut sigmas, &[flight]);
+        let [found, _] = sigmas;
+        assert!((found.first - 0.3).abs() < 1e-6 && (found.increment - 0.1).abs() < 1e-6);
+    }
+
     #[test]
     fn a_channel_without_evidence_stays_at_zero_and_one_with_it_is_followed() {
         // Two channels at three knots: a rising load is measured in the first channel, a zero load in the second.

@@ -159,6 +159,8 @@ mod tests {
             let found = model.is_adequate(&hypothesis, noise, thresholds).unwrap();
             assert_eq!(found, expected, "{name}");
             assert!(!hypothesis.is_overflexible(model));
+            // A single effect is no combination.
+            assert!(!hypothesis.combines_one_site(model));
         }
         let gusts = [fixture.candidate("wind-of-each-flight")];
         let hypothesis = model

@@ -341,6 +341,7 @@ fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> Strin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::selection::Weights;
     use crate::test_support::fixture;
 
     #[test]
@@ -394,5 +395,27 @@ mod tests {
         assert_eq!(next, reported[0]);
         assert_eq!(next_term(&tests, -20.0, &[next]), None);
         assert_eq!(next_term(&tests, -1e9, &[]), None);
+    }
+
+    #[test]
+    fn an_adequate_selection_is_better_and_then_one_that_fits_better() {
+        let mut fixture = fixture();
+        let weights = Weights::EstimatedFrom(fixture.fit.noise());
+        let search = Search::new(&mut fixture.model, &fixture.iterate, weights).unwrap();
+        let selection = |is_adequate: bool, squares: f64| {
+            let start = StepwiseModel::start(&fixture.model, &search, None);
+            start.unwrap().map(|start| StepwiseModel {
+                is_adequate,
+                squares,
+                ..start
+            })
+        };
+        let better = |one, other| StepwiseModel::better(one, other).map(|own| own.squares);
+        for (best, worse) in [((true, 3.0), (false, 1.0)), ((false, 1.0), (false, 2.0))] {
+            let make = |(is_adequate, squares)| selection(is_adequate, squares);
+            assert_eq!(better(make(best), make(worse)), Some(best.1));
+            assert_eq!(better(make(worse), make(best)), Some(best.1));
+            assert_eq!(better(None, make(worse)), Some(worse.1));
+        }
     }
 }

@@ -332,6 +332,29 @@ mod tests {
     }
 
     #[test]
+    fn the_flights_of_all_parts_count() {
+        let part = |only_before: usize, only_after: usize| Predictions {
+            errors: vec![FlightErrors {
+                file: String::new(),
+                before: 0.04,
+                after: 0.01,
+                is_summary: false,
+                is_applied: true,
+            }],
+            unit: "m".to_owned(),
+            only_before,
+            only_after,
+        };
+        let mut all = Predictions::default();
+        all.join(part(1, 0));
+        all.join(part(2, 3));
+        let gain = summarize(all, 0.001, false).unwrap();
+        let only = (gain.predicted_only_before, gain.predicted_only_after);
+        assert_eq!((gain.flights, only, gain.unit.as_str()), (2, (3, 3), "m"));
+        assert!((gain.rms_before_m - 0.2).abs() < 1e-12);
+    }
+
+    #[test]
     fn the_jackknife_error_is_that_of_the_mean_for_small_differences() {
         // Deviations of 1 to 4 mm from their mean of 2.5 mm: 1.29 mm / √4, as all errors without the extension are
         // equal.

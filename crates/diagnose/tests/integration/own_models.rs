@@ -168,6 +168,17 @@ fn a_hidden_side_force_of_a_model_of_ones_own_is_found_at_its_site() {
         .collect();
     assert_eq!(sites, ["side"], "{}", report.summary);
     assert_eq!(best.effects[0].name, "side-force");
+    let is_doubted = |own: &String| own.contains("the residuals are not noise");
+    assert!(
+        !report.cautions.iter().any(is_doubted),
+        "{:?}",
+        report.cautions
+    );
+    let gain = report.gain_sentences();
+    assert!(
+        gain.starts_with("By cross-validation over 8 flights the RMS"),
+        "{gain}"
+    );
     let estimate = &best.effects[0].estimates["side_a"];
     assert!(
         (estimate.value / (0.4 * GRAVITY) - 1.0).abs() < 0.01,
@@ -185,6 +196,7 @@ fn a_right_model_of_ones_own_gets_no_cause() {
         "{}",
         found.report.summary
     );
+    assert_eq!(found.report.gain_sentences(), "The model is not extended.");
 }
 
 #[test]

@@ -54,7 +54,23 @@ pub fn write_atomic_with<E: From<io::Error>>(
 
 #[cfg(test)]
 mod tests {
-    use super::write_atomic;
+    use super::{Durability, UNFINISHED, write_atomic, write_atomic_with};
+
+    /// A rename does not lead to another file system.
+    #[test]
+    fn an_unfinished_file_lies_beside_its_target() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("trajectory.csv");
+        let mut beside = Vec::new();
+        write_atomic_with::<std::io::Error>(&path, Durability::Renamed, |_| {
+            let entries = std::fs::read_dir(folder.path())?;
+            beside.extend(entries.map(|entry| entry.unwrap().file_name()));
+            Ok(())
+        })
+        .unwrap();
+        assert_eq!(beside.len(), 1);
+        assert!(beside[0].to_str().unwrap().starts_with(UNFINISHED));
+    }
 
     #[test]
     fn a_file_is_replaced_as_a_whole_and_no_temporary_file_remains() {

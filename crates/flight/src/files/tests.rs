@@ -153,6 +153,20 @@ fn remains_of_interrupted_runs_are_removed_and_an_earlier_folder_is_given_back()
     assert_eq!(contents(&folder), pairs(&[("a.csv", "3")]));
 }
 
+/// As where a process was ended and its id is used again.
+#[test]
+fn what_a_run_prepares_is_its_folder_s_own_and_removed_if_it_was_interrupted() {
+    let around = tempfile::tempdir().unwrap();
+    let folder = around.path().join("found");
+    let opened = open(&folder);
+    let part = opened.part().unwrap();
+    assert_ne!(Some(part), open(&around.path().join("other")).part());
+    fs::create_dir(part).unwrap();
+    fs::write(part.join("a.csv"), "ha").unwrap();
+    open(&folder);
+    assert!(!part.exists());
+}
+
 #[test]
 fn a_manifest_is_never_seen_in_part() {
     let around = tempfile::tempdir().unwrap();

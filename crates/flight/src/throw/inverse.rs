@@ -139,3 +139,34 @@ fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<
 fn norm(values: &[f64]) -> f64 {
     values.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{MAX_COMPARED, starts};
+    use crate::throw::ThrownModel;
+
+    /// Turns of all angles and of the frame would be eight times as many.
+    #[test]
+    fn the_turns_that_are_tried_are_bounded() {
+        let body = "model spool;
+param m = 0.02 kg;
+frame N;
+frame C = N by quaternion (q0, q1, q2, q3);
+body spool {
+  mass m; inertia diag(1e-6, 4e-4, 4e-4) [kg*m^2] in C; fixed in C;
+  position (x, y, z) in N; velocity (vx, vy, vz) in N; angular velocity (p, q, r) in C;
+}
+";
+        let wheel = |k: usize| {
+            format!(
+                "state a{k} = 0 rad;\nframe D{k} = C turned a{k} about 1;\nder(a{k}) = 1 [rad/s];\n"
+            )
+        };
+        let text = body.to_owned() + &(0..5).map(wheel).collect::<String>();
+        let model = model_spec::load::from_text("spool.hyz", &text, &[]);
+        let model = model.unwrap_or_else(|error| panic!("{error}"));
+        let thrown = ThrownModel::new(&model).expect("a body");
+        let tried = starts(&thrown.bind(&[0.02])).len();
+        assert!((1000..=MAX_COMPARED).contains(&tried), "{tried}");
+    }
+}

@@ -54,8 +54,7 @@ impl MotionVector {
             Self::FirstAxis if is_revolution(model) => return None,
             Self::FirstAxis => 2,
             Self::Axis => 4,
-            Self::Spin if all.len() > 5 => 5,
-            Self::Spin => return spin_of_point(model),
+            Self::Spin => return all.get(5).cloned().or_else(|| spin_of_point(model)),
             Self::Momentum => return momentum(&all),
         };
         all.get(place).cloned()

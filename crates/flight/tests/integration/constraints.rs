@@ -337,3 +337,28 @@ fn flights_of_a_queue_are_held_to_constraints() {
     let refused = |own: &(FlightOutcome, f64, Vec<f64>, f64)| own.0 == FlightOutcome::Limit(0);
     assert!(flights.ends.iter().all(refused), "{:?}", flights.ends[0]);
 }
+
+/// Also on one whose value is −1 or 0.
+#[test]
+fn constraints_depend_on_the_parameters_that_they_name() {
+    let text = BOB
+        .replace("frame N;", "param a = -1 m;\nparam b = 0 m;\nframe N;")
+        .replace(
+            "norm(position) = L",
+            "norm(position - (a, b, 0 m) in N) = L",
+        );
+    let compiled = compiled(&text);
+    let layout = compiled.layout();
+    let constraints = compiled.constraints().expect("constraints");
+    let mut named = layout
+        .parameters
+        .iter()
+        .enumerate()
+        .filter_map(|(index, own)| {
+            let depends = constraints.depend_on(&layout.default_parameters(), index);
+            depends.then_some(own.as_str())
+        })
+        .collect::<Vec<_>>();
+    named.sort_unstable();
+    assert_eq!(named, ["L", "a", "b"]);
+}

@@ -395,3 +395,29 @@ fn derivatives_by_samples_are_those_of_flights_with_other_samples() {
         }
     }
 }
+
+/// The turning points of a spline are where it is greatest and least on a fine grid.
+#[test]
+fn a_spline_turns_where_its_values_do() {
+    let samples = [
+        (0.0, 0.0),
+        (1.0, 3.0),
+        (1.5, -1.0),
+        (4.0, 2.0),
+        (5.0, 1.9),
+        (7.0, 0.0),
+    ];
+    let series = flight::InputSeries::new(&samples, InputInterpolation::Cubic);
+    let values: Vec<f64> = (0..=7000).map(|k| series.at(1e-3 * f64::from(k))).collect();
+    let turns = values.windows(3).enumerate().filter_map(|(k, own)| {
+        ((own[1] - own[0]) * (own[2] - own[1]) < 0.0).then_some(1e-3 * (k + 1) as f64)
+    });
+    let expected: Vec<f64> = turns.collect();
+    assert!(expected.len() > 2, "{expected:?}");
+    let found: Vec<(f64, f64)> = series.extremes().collect();
+    assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
+    for ((t, value), expected) in found.iter().zip(&expected) {
+        assert!((t - expected).abs() < 2e-3, "{found:?} {expected:?}");
+        assert_eq!(*value, series.at(*t));
+    }
+}

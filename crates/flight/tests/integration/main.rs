@@ -2,6 +2,7 @@
 
 mod constraints;
 mod inputs;
+mod lane_observer;
 mod lanes;
 mod near_throws;
 mod release;

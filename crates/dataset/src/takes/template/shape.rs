@@ -323,3 +323,36 @@ fn covariance(points: &[Vector3<f64>], poses: &[Vec<Placed>]) -> DMatrix<f64> {
     });
     &eigen.eigenvectors * DMatrix::from_diagonal(&inverse) * eigen.eigenvectors.transpose()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each pose takes six of the coordinates measured; no motion of all markers together has a variance.
+    #[test]
+    fn the_variance_of_markers_is_that_of_their_mean_without_the_poses() {
+        let points = [
+            [0.1, 0.0, 0.02],
+            [-0.1, 0.05, 0.0],
+            [0.0, -0.1, 0.0],
+            [0.03, 0.05, -0.02],
+        ];
+        let points = points.map(Vector3::from);
+        let placed = Placed {
+            sample: 0,
+            position: Vector3::zeros(),
+            rotation: Matrix3::identity(),
+            used: vec![true; 4],
+            squares: 0.0,
+        };
+        let poses = vec![vec![placed.clone(); 15], vec![placed; 5]];
+        let found = covariance(&points, &poses);
+        assert!(
+            (found.trace() - (12.0 - 6.0) / 20.0).abs() < 1e-12,
+            "{}",
+            found.trace()
+        );
+        let shift = DMatrix::from_fn(12, 3, |row, axis| f64::from(row % 3 == axis));
+        assert!((found * shift).amax() < 1e-12);
+    }
+}

@@ -103,3 +103,19 @@ impl Path<'_> {
         robust_sigma(&mut sizes.collect::<Vec<f64>>()).max(FINEST)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::takes::throws::windows::tests::track;
+    use nalgebra::Vector3;
+
+    /// As between the hand and the ground.
+    #[test]
+    fn the_noise_is_that_of_the_flight_and_not_of_what_is_before_and_after() {
+        let flight = 1000..1020;
+        let track = track(0.0, |k| if flight.contains(&k) { 1e-3 } else { 2e-2 });
+        let noise = Path::new(&track, Vector3::zeros()).noise(&flight);
+        assert!((0.5e-3..3e-3).contains(&noise), "{noise}");
+    }
+}

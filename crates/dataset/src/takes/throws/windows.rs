@@ -139,3 +139,82 @@ pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> Vector3<
         .map(|window| window.offset);
     median_vector(&offsets.collect::<Vec<_>>()).unwrap_or_default()
 }
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::takes::{Body, Format, LengthUnit, Pose, Take};
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha12Rng;
+    use rand_distr::StandardNormal;
+
+    /// Track of a falling body that turns about the vertical at `rate`, rad/s; the positions have the deviation that
+    /// `noise` gives for each sample.
+    pub fn track(rate: f64, noise: impl Fn(usize) -> f64) -> Track {
+        let mut random = ChaCha12Rng::seed_from_u64(7);
+        let times: Vec<f64> = (0..2000).map(|k| f64::from(k) / 200.0).collect();
+        let poses = times.iter().enumerate().map(|(k, t)| {
+            let centre = [5.0 * t, 0.0, -0.5 * GRAVITY * t * t];
+            let position =
+                centre.map(|own| own + noise(k) * random.sample::<f64, _>(StandardNormal));
+            let (sin, cos) = (0.5 * rate * t).sin_cos();
+            let quaternion = [cos, 0.0, 0.0, sin];
+            Some(Pose {
+                position,
+                quaternion,
+            })
+        });
+        let body = Body {
+            label: "body".to_owned(),
+            poses: poses.collect(),
+        };
+        let take = Take {
+            format: Format::Vicon,
+            times,
+            points: Vec::new(),
+            bodies: vec![body],
+            length: LengthUnit::Metre,
+            up: None,
+            left_handed: None,
+            notes: Vec::new(),
+        };
+        Track::new(&take, &[], &mut Vec::new()).expect("seen")
+    }
+
+    #[test]
+    fn the_spread_is_the_standard_error_of_the_acceleration() {
+        let noise = 1e-3;
+        let windows = windows(&track(0.0, |_| noise));
+        let windows: Vec<&Window> = windows.iter().flatten().collect();
+        let squares = windows
+            .iter()
+            .map(|own| (own.acceleration.z + GRAVITY).powi(2));
+        let found = (squares.sum::<f64>() / windows.len() as f64).sqrt();
+        let expected = noise * windows[0].spread;
+        assert!((found / expected - 1.0).abs() < 0.1, "{found} {expected}");
+    }
+
+    #[test]
+    fn the_point_that_moves_smoothly_is_on_a_body_that_hardly_turns() {
+        for window in windows(&track(4.0, |_| 1e-3)).iter().flatten() {
+            assert!(window.offset.norm() < OFFSET, "{}", window.offset);
+        }
+    }
+
+    #[test]
+    fn a_body_at_rest_is_not_in_flight_however_uncertain_its_acceleration() {
+        let rests = Window {
+            velocity: Vector3::zeros(),
+            acceleration: Vector3::zeros(),
+            offset: Vector3::zeros(),
+            residual: 0.0,
+            spread: 1e4,
+        };
+        assert!(!rests.is_free(0.01));
+        let falls = Window {
+            acceleration: -Vector3::z() * GRAVITY,
+            ..rests
+        };
+        assert!(falls.is_free(0.01));
+    }
+}

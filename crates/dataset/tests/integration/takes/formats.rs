@@ -99,6 +99,13 @@ fn qualisys() {
         assert_eq!(take.format, Format::Qualisys);
         has_times(&take, 0.0);
         has_points(&take, &LABELS);
+        let gaps = take.points.iter().flat_map(|own| &own.positions);
+        let gaps = gaps.filter(|own| own.is_none()).count();
+        let note = format!("{gaps} positions of exactly 0, 0, 0 were read as not seen");
+        assert!(gaps > 0 && take.notes.contains(&note), "{:?}", take.notes);
+        let seen = text.replace("0.000", "0.001");
+        let seen = read(seen.as_bytes(), &options()).expect("read");
+        assert!(!seen.notes.iter().any(|own| own.contains("not seen")));
     }
     let take = read(support::qualisys_poses().as_bytes(), &options()).expect("read");
     assert_eq!(take.format, Format::QualisysPoses);

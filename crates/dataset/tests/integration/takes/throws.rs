@@ -141,11 +141,11 @@ fn a_body_that_is_carried_or_rests_is_not_thrown() {
 
 #[test]
 fn a_long_gap_ends_a_flight_and_a_short_one_does_not() {
-    let fall = |gap: std::ops::Range<i32>| {
+    let fall = |gaps: &[std::ops::Range<i32>]| {
         let mut text = "t_s,m_x_m,m_y_m,m_z_m\n".to_owned();
         for i in 0..200 {
             let t = f64::from(i) / 200.0;
-            text += &match gap.contains(&i) {
+            text += &match gaps.iter().any(|gap| gap.contains(&i)) {
                 true => format!("{t},,,\n"),
                 false => format!("{t},{},0,{}\n", 8.0 * t, 10.0 + 2.0 * t - 4.905 * t * t),
             };
@@ -153,19 +153,44 @@ fn a_long_gap_ends_a_flight_and_a_short_one_does_not() {
         let take = read(text.as_bytes(), &ReadOptions::default()).expect("a take");
         find_throws(&take, &["m"], &ThrowOptions::default()).throws
     };
-    let [bridged] = &fall(100..110)[..] else {
+    let [bridged] = &fall(&[100..110])[..] else {
         panic!("one flight");
     };
     assert_eq!((bridged.samples(), bridged.unseen), (0..200, 10));
     assert_eq!(bridged.release.cause, Cause::Recording);
     assert!((bridged.acceleration[2] + 9.81).abs() < 1e-3);
-    let [first, second] = &fall(80..140)[..] else {
-        panic!("two flights");
+    let [late] = &fall(&[0..20, 100..110])[..] else {
+        panic!("one flight");
     };
-    assert_eq!((first.samples(), second.samples()), (0..80, 140..200));
-    assert!(
-        matches!(first.end.cause, Cause::Gap(_)) && matches!(second.release.cause, Cause::Gap(_))
-    );
+    assert_eq!((late.samples(), late.unseen), (20..200, 10));
+    // The second gap is shorter than a throw.
+    for to in [140, 115] {
+        let [first, second] = &fall(&[80..to])[..] else {
+            panic!("two flights");
+        };
+        assert_eq!(first.samples(), 0..80);
+        assert_eq!(second.samples(), to as usize..200);
+        assert!(matches!(first.end.cause, Cause::Gap(_)));
+        assert!(matches!(second.release.cause, Cause::Gap(_)));
+    }
+}
+
+/// Air could change the velocity of a fast body as much in the time of a few samples, but not at once.
+#[test]
+fn a_knock_ends_a_flight() {
+    let mut text = "t_s,m_x_m,m_y_m,m_z_m\n".to_owned();
+    for i in 0..200 {
+        let t = f64::from(i) / 200.0;
+        let aside = 1.6 * (t - 0.5).max(0.0);
+        let noise = 0.0002 * (f64::from(i) * 12.9898).sin();
+        let z = 10.0 + 2.0 * t - 4.905 * t * t;
+        text += &format!("{t},{},{},{}\n", 20.0 * t + noise, aside - noise, z + noise);
+    }
+    let take = read(text.as_bytes(), &ReadOptions::default()).expect("a take");
+    let found = find_throws(&take, &["m"], &ThrowOptions::default());
+    let end = found.throws.first().expect("a throw").end;
+    assert!((97..=103).contains(&end.sample), "{end:?}");
+    assert_eq!(end.cause, Cause::Disturbed);
 }
 
 #[test]
