@@ -1,14 +1,8 @@
-//! Flights without a fault, of many kinds, and the duration of the screening.
+//! Flights without a fault, of many kinds.
 
 use ::flight::release::{Release, Stop};
 
 use super::{ball, calm_disc, disc, disc_releases, discs, found, model, plan, release};
-use crate::options::FitOptions;
-use crate::problem::FitProblem;
-use crate::screening::free_fall::FreeFall;
-use crate::screening::track::Track;
-use crate::screening::{distances, handling, loads, records, screen, template};
-use dataset::Flight;
 use dataset::synthesize::{Plan, Spread, flights};
 
 #[test]
@@ -166,91 +160,4 @@ fn flights_of_other_models_have_no_fault() {
             }
         }
     }
-}
-
-#[test]
-#[ignore = "measures time"]
-fn time_of_the_screening() {
-    let (model, _) = disc(1);
-    let made = flights(
-        &model,
-        &[disc_releases(&model).swap_remove(0)],
-        &plan(20, 1),
-    )
-    .expect("flights");
-    let problem =
-        FitProblem::new(&model, &made.dataset, &FitOptions::default()).expect("a problem");
-    let time = |name: &str, work: &dyn Fn()| {
-        let clock = std::time::Instant::now();
-        for _ in 0..20 {
-            work();
-        }
-        eprintln!(
-            "{name}: {:.3} ms",
-            1e3 * clock.elapsed().as_secs_f64() / 20.0
-        );
-    };
-    let dataset = &made.dataset;
-    let track = |flight: &Flight| Track::until_contact(&problem, flight).0;
-    let tracks: Vec<Option<Track>> = dataset
-        .flights
-        .iter()
-        .map(|flight| Some(track(flight)))
-        .collect();
-    let gravity = loads::gravity(&problem).expect("gravity");
-    let rigid = distances::rigid_pairs(&problem);
-    let each = |work: &dyn Fn(usize)| (0..dataset.flights.len()).for_each(work);
-    time("records", &|| {
-        each(&|i| assert!(records::check(&problem, dataset, i).is_none()));
-    });
-    time("distances", &|| {
-        each(&|i| assert!(template::check(dataset, i, &rigid).is_none()));
-    });
-    time("tracks", &|| {
-        each(&|i| assert!(!track(&dataset.flights[i]).points.is_empty()));
-    });
-    time("poses", &|| {
-        each(&|i| {
-            let flight = &dataset.flights[i];
-            let (track, _) = Track::of(&problem, flight);
-            assert!(!track.points.is_empty());
-        });
-    });
-    time("jumps", &|| {
-        each(&|i| {
-            assert!(
-                records::jumps(tracks[i].as_ref().expect("a track"), &dataset.flights[i]).is_none()
-            );
-        });
-    });
-    time("gravity", &|| assert!(loads::gravity(&problem).is_some()));
-    time("free fall", &|| {
-        assert!(
-            FreeFall::new((&problem, dataset), gravity, &tracks, 1)
-                .check()
-                .is_empty()
-        );
-    });
-    time("handling", &|| {
-        each(&|i| {
-            assert!(
-                handling::check(
-                    tracks[i].as_ref().expect("a track"),
-                    gravity,
-                    &dataset.flights[i]
-                )
-                .is_none()
-            );
-        });
-    });
-    time("screening", &|| {
-        assert_eq!(screen(&problem, dataset, 1).0, []);
-    });
-    let clock = std::time::Instant::now();
-    let options = FitOptions {
-        threads: Some(1),
-        ..FitOptions::default()
-    };
-    crate::fit(&model, dataset, &options).expect("a fit");
-    eprintln!("fit: {:.3} ms", 1e3 * clock.elapsed().as_secs_f64());
 }
