@@ -108,3 +108,16 @@ impl fmt::Display for SignedAxes {
         write!(f, "({})", names.join(", "))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_exchange_keeps_one_axis() {
+        let reading = Vector3::new(1.0, 2.0, 3.0);
+        let exchanged = [0, 1, 2].map(|axis| SignedAxes::exchanged(axis).turned(reading));
+        let expected = [[1.0, 3.0, 2.0], [3.0, 2.0, 1.0], [2.0, 1.0, 3.0]];
+        assert_eq!(exchanged, expected.map(Vector3::from));
+    }
+}
