@@ -160,3 +160,29 @@ pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
     }
     (channels, instruments)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    #[test]
+    fn what_is_taken_as_exact_is_as_exact_in_any_unit() {
+        let deviation = |unit: &str| {
+            let manifest = format!(
+                "model = \"golf_ball\"\n[[summaries]]\nfile = \"a.csv\"\n[summaries.columns]\n\
+                 v = {{ is = \"speed\", unit = \"{unit}\" }}\nc = {{ is = \"carry\", unit = \"m\" }}\n"
+            );
+            let tables = BTreeMap::from([("a.csv".to_owned(), "v,c\n60,150\n".to_owned())]);
+            let dataset = dataset::from_texts(&manifest, &tables).expect("a dataset");
+            let channels = of_dataset(&dataset).0;
+            let speed = channels
+                .iter()
+                .find(|own| own.name == "v")
+                .expect("the speed");
+            speed.sigma.expect("exact") * speed.to_si
+        };
+        let expected = deviation("m/s");
+        assert!(expected > 0.0 && (deviation("mph") / expected - 1.0).abs() < 1e-12);
+    }
+}

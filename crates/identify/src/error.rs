@@ -447,6 +447,22 @@ mod tests {
     use super::*;
 
     #[test]
+    fn an_error_lists_the_first_faults() {
+        let faults = (1..=12).map(|number| DataFault {
+            file: format!("{number}.csv"),
+            fault: FaultKind::Units,
+            detail: "feet".to_owned(),
+            correction: "state metres".to_owned(),
+        });
+        let text = FitError::FaultyData(faults.collect()).to_string();
+        assert!(
+            text.contains(" 1.csv: feet") && text.contains(" 10.csv: feet"),
+            "{text}"
+        );
+        assert!(!text.contains("11.csv"), "{text}");
+    }
+
+    #[test]
     fn kinds_are_written_as_they_are_named() {
         use FaultKind::*;
         for kind in [

@@ -275,6 +275,18 @@ mod tests {
     }
 
     #[test]
+    fn noise_is_the_same_within_a_tolerance_of_its_size_and_its_correlation() {
+        let noise = |sigma: f64, ar1: f64| {
+            let mut own = AxesNoise::white(sigma, 0.01);
+            own.ar1[1] = ar1;
+            NoiseModel::from(own)
+        };
+        let is_within = |sigma, ar1| noise(sigma, ar1).is_within(&noise(1e-3, 0.5), 0.1);
+        assert!(is_within(1e-3, 0.5) && is_within(1.09e-3, 0.41) && is_within(0.91e-3, 0.59));
+        assert!(!is_within(1.2e-3, 0.5) && !is_within(1e-3, 0.7) && !is_within(1e-3, 0.3));
+    }
+
+    #[test]
     fn scale_and_correlation_are_found_again() {
         let times: Vec<f64> = (0..20_000).map(|i| f64::from(i) / 120.0).collect();
         let mut moments = Moments::default();

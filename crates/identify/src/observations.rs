@@ -388,3 +388,45 @@ pub fn median_interval<'o>(flights: impl IntoIterator<Item = &'o Observations>) 
     let intervals = flights.into_iter().filter_map(Observations::interval);
     median_of(intervals).unwrap_or(1.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::options::FitOptions;
+    use dataset::synthesize::Plan;
+
+    /// A simulated flight of a ball.
+    fn flight() -> Observations {
+        let model = model_spec::load::load("ball", &[]).unwrap();
+        let plan = Plan {
+            flights: 1,
+            duration: Some(0.4),
+            ..Plan::default()
+        };
+        let dataset = crate::fit::tests::simulated(&model, "serve", &plan);
+        let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+        Observations::new(&problem, &dataset.flights[0]).unwrap()
+    }
+
+    #[test]
+    fn a_part_of_a_flight_has_its_own_samples() {
+        let mut flight = flight();
+        let place = |sample: usize| Some([sample as f64, 0.0, 0.0]);
+        flight.stand_ins = (0..flight.times.len()).map(place).collect();
+        let part = flight.longer(&flight, 3..8);
+        assert_eq!(part.times, flight.times[3..8]);
+        assert_eq!(part.measured, flight.measured[3..8]);
+        assert_eq!(part.stand_ins, (3..8).map(place).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn a_flight_that_is_cut_twice_counts_all_samples_that_it_lost() {
+        let mut flight = flight();
+        let recorded = flight.times.len();
+        flight.truncate(recorded - 5, "a net".to_owned());
+        flight.truncate(recorded - 12, "a hand".to_owned());
+        let cut = flight.truncation.expect("cut");
+        assert_eq!((cut.samples, cut.reason.as_str()), (12, "a hand"));
+        assert_eq!(flight.times.len(), recorded - 12);
+    }
+}

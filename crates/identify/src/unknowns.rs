@@ -366,7 +366,29 @@ fn estimated(found: &Fit) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::FlightOutcome;
     use crate::vertical::upward;
+    use dataset::synthesize::Plan;
+
+    #[test]
+    fn a_fit_that_leaves_flights_out_is_worse() {
+        let model = model_spec::load::load("ball", &[]).unwrap();
+        let plan = Plan {
+            flights: 3,
+            duration: Some(0.4),
+            ..Plan::default()
+        };
+        let dataset = crate::fit::tests::simulated(&model, "serve", &plan);
+        let mut found = fit::fit(&model, &dataset, &FitOptions::default()).unwrap();
+        let of_all = misfit(&found);
+        assert!(
+            (of_all / found.report.rms() - 1.0).abs() < 1e-12 && of_all > 1e-4,
+            "{of_all}"
+        );
+        let reason = "a net".to_owned();
+        found.report.flights[0].outcome = FlightOutcome::Excluded { reason };
+        assert!((misfit(&found) / found.report.rms() - 2.0).abs() < 1e-12);
+    }
 
     #[test]
     fn angles_and_directions_are_one_another_s_inverse() {

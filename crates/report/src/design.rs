@@ -304,3 +304,64 @@ fn round() -> impl Iterator<Item = (f64, f64)> {
         (c, s)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use analysis::design::Scatter;
+    use nalgebra::Matrix2;
+
+    const LANDINGS: Landings = Landings {
+        mean: Vector2::new(60.0, -3.0),
+        covariance: Matrix2::new(25.0, 4.0, 4.0, 9.0),
+    };
+
+    /// Half of a normal distribution is within √(2 ln 2) standard deviations in two dimensions.
+    #[test]
+    fn half_of_the_landings_are_in_the_ellipse() {
+        let inverse = LANDINGS.covariance.try_inverse().unwrap();
+        let distances = ellipse(&LANDINGS).into_iter().map(|point| {
+            let off = point - LANDINGS.mean;
+            off.dot(&(inverse * off))
+        });
+        let distances: Vec<f64> = distances.collect();
+        assert!(distances.len() > 20);
+        for distance in distances {
+            assert!((distance - 2.0 * 2.0_f64.ln()).abs() < 1e-9, "{distance}");
+        }
+    }
+
+    #[test]
+    fn the_spread_is_told_in_the_units_that_are_wished() {
+        let spread = Spread {
+            linear: LANDINGS,
+            sampled: None,
+            inside: None,
+            near_target: None,
+            touching: None,
+            agreement: None,
+        };
+        let bounds = Bounds {
+            ranges: Vec::new(),
+            obstacle: None,
+            circle: 5.0,
+            scatter: Scatter {
+                release: Vec::new(),
+                wind: [0.0; 3],
+                parameters: Vec::new(),
+            },
+        };
+        let told = |units| spread_words(&spread, &bounds, units).join(" ");
+        let (long, short, _) = LANDINGS.ellipse(0.5);
+        let begin = "Half of the landings are in an ellipse of half axes";
+        assert_eq!(
+            told(Units::Si),
+            format!("{begin} {long:.2} m and {short:.2} m to first order.")
+        );
+        let [long, short] = [long, short].map(|own| own / 0.3048);
+        assert_eq!(
+            told(Units::Imperial),
+            format!("{begin} {long:.2} ft and {short:.2} ft to first order.")
+        );
+    }
+}

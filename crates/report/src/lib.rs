@@ -44,3 +44,14 @@ pub use units::Units;
 pub fn hundredths(value: f64) -> f64 {
     (100.0 * value).round() / 100.0 + 0.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::hundredths;
+
+    #[test]
+    fn small_negative_values_are_rounded_to_zero_without_a_sign() {
+        assert_eq!([1.236, -1.234].map(hundredths), [1.24, -1.23]);
+        assert!(hundredths(-0.001).is_sign_positive());
+    }
+}

@@ -117,3 +117,36 @@ fn distance_variance<'o>(
         std_error: 2.0 * ROBUST_ERROR / count.sqrt() * value,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::tests::simulated;
+    use crate::ground_contact::tests::jitter;
+    use crate::options::FitOptions;
+    use dataset::synthesize::Plan;
+
+    /// Fewer samples may differ as much by chance.
+    #[test]
+    fn a_noisy_marker_is_unlike_the_others_if_there_are_enough_samples() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let found = |duration: f64| {
+            let plan = Plan {
+                flights: 1,
+                duration: Some(duration),
+                ..Plan::default()
+            };
+            let mut dataset = simulated(&model, "backhand", &plan);
+            for (sample, row) in dataset.flights[0].positions.iter_mut().enumerate() {
+                for (axis, coordinate) in row[1].iter_mut().flatten().enumerate() {
+                    *coordinate += 0.01 * jitter(3 * sample + axis);
+                }
+            }
+            let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+            let flight = Observations::new(&problem, &dataset.flights[0]).unwrap();
+            unlike(dataset.markers.len(), [flight].iter())
+        };
+        assert_eq!(found(1.5), Some(vec![1]));
+        assert_eq!(found(0.13), Some(vec![]));
+    }
+}

@@ -430,3 +430,41 @@ pub fn initial_state_report(
     };
     names.iter().enumerate().map(estimate).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::fit;
+    use crate::fit::tests::simulated;
+    use crate::options::FitOptions;
+    use dataset::synthesize::Plan;
+
+    #[test]
+    fn a_flight_that_the_model_follows_far_worse_than_others_is_noted() {
+        let model = model_spec::load::load("ball", &[]).unwrap();
+        let plan = Plan {
+            flights: 5,
+            duration: Some(0.4),
+            ..Plan::default()
+        };
+        let dataset = simulated(&model, "serve", &plan);
+        let mut flights = fit(&model, &dataset, &FitOptions::default())
+            .unwrap()
+            .report
+            .flights;
+        let is_noted = |flight: &FlightReport| {
+            flight
+                .notes
+                .iter()
+                .any(|note| note.contains("times the usual"))
+        };
+        assert!(!flights.iter().any(is_noted));
+        flights[2]
+            .residual_rms
+            .values_mut()
+            .for_each(|rms| rms.value *= 10.0);
+        note_misfits(&mut flights);
+        let noted: Vec<bool> = flights.iter().map(is_noted).collect();
+        assert_eq!(noted, [false, false, true, false, false]);
+    }
+}

@@ -147,4 +147,12 @@ mod tests {
         assert!((point.y + 0.01).abs() < 5.0 * error.y, "{point} {error}");
         assert_eq!(offset(&flight(Vector3::zeros(), 0.5)), None);
     }
+
+    #[test]
+    fn coordinates_have_the_digits_of_their_errors_and_unknown_ones_are_left_out() {
+        let point = Vector3::new(0.03, -0.01, 0.5);
+        let error = Vector3::new(0.0004, 0.0005, 0.5);
+        let told = coordinates((point, error));
+        assert_eq!(told, "x = 30.00 ± 0.40 mm, y = −10.00 ± 0.50 mm");
+    }
 }

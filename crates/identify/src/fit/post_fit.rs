@@ -207,3 +207,40 @@ fn table<T>(samples: usize, channels: &[usize], of: impl Fn(usize, usize) -> T) 
     };
     (0..samples).map(row).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::options::FitOptions;
+    use dataset::synthesize::Plan;
+
+    #[test]
+    fn residuals_are_summed_in_the_unit_of_their_channel_without_outliers() {
+        let model = model_spec::load::load("ball", &[]).unwrap();
+        let plan = Plan {
+            flights: 1,
+            duration: Some(0.2),
+            ..Plan::default()
+        };
+        let dataset = crate::fit::tests::simulated(&model, "serve", &plan);
+        let mut problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+        problem.channels[0].scale = 0.5;
+        let mut observations = Observations::new(&problem, &dataset.flights[0]).unwrap();
+        observations.outlier[4] = true;
+        let residuals = vec![vec![Some([1.0, 2.0, 2.0]); observations.times.len()]];
+        let [sum] = channel_sums(&problem, &observations, &residuals, 2)[..] else {
+            panic!("one channel");
+        };
+        let count = observations.times.len() - 3;
+        assert_eq!((sum.count, sum.outliers), (count, 1));
+        assert_eq!(sum.squares, 36.0 * count as f64);
+    }
+
+    #[test]
+    fn ranges_are_joined_to_one_that_holds_them() {
+        let all = [(2.0, 3.0), (-1.0, 0.5), (2.5, 2.6)]
+            .into_iter()
+            .fold(EMPTY_RANGE, joined);
+        assert_eq!(all, (-1.0, 3.0));
+    }
+}

@@ -288,9 +288,8 @@ mod tests {
     use dataset::Role;
     use dataset::synthesize::Plan;
 
-    /// Number of flights that remain excluded after the fit tried to include excluded flights again, if one of four
-    /// similar simulated flights was excluded for the given reason.
-    fn excluded_after(reason: FlightError) -> usize {
+    /// Begins a fit of four similar simulated flights.
+    fn begun<R>(then: impl FnOnce(&Dataset, State<'_>) -> R) -> R {
         let model = model_spec::load::load("ball", &[]).unwrap();
         let plan = Plan {
             flights: 4,
@@ -305,14 +304,50 @@ mod tests {
         problem.sigma0 = observed.sigma0.unwrap();
         problem.tolerance = whitened_tolerance(&model, fitted.len());
         let guesses = initial_guess::initial_guesses(&problem, &dataset, observed, &options);
-        let (mut state, _) = spin_aliases::resolve(guesses.unwrap()).unwrap();
-        state.exclude(vec![(1, reason)]).unwrap();
-        let residuals = state.residuals();
-        let found = reweight(&mut state, residuals, None).unwrap();
-        let found = take_back(&dataset, &mut state, found).unwrap();
-        assert_eq!(found.solution.iterate.local.len(), state.flights.len());
-        assert_eq!(state.flights.len() + state.excluded.len(), fitted.len());
-        state.excluded.len()
+        let (state, _) = spin_aliases::resolve(guesses.unwrap()).unwrap();
+        then(&dataset, state)
+    }
+
+    /// Number of flights that remain excluded after the fit tried to include excluded flights again, if one of four was
+    /// excluded for the given reason.
+    fn excluded_after(reason: FlightError) -> usize {
+        begun(|dataset, mut state| {
+            state.exclude(vec![(1, reason)]).unwrap();
+            let residuals = state.residuals();
+            let found = reweight(&mut state, residuals, None).unwrap();
+            let found = take_back(dataset, &mut state, found).unwrap();
+            assert_eq!(found.solution.iterate.local.len(), state.flights.len());
+            assert_eq!(state.flights.len() + state.excluded.len(), 4);
+            state.excluded.len()
+        })
+    }
+
+    #[test]
+    fn a_flight_far_off_is_started_anew_and_then_all_are_fitted() {
+        begun(|_, mut state| {
+            let cache = state.residuals();
+            anneal_scale(&mut state).unwrap();
+            let (drag, usual) = (state.global[0], cache.median_scale());
+            state.global[0] *= 1.2;
+            let velocity = state.local[2].len() - 1;
+            state.local[2][velocity] += 5.0;
+            let cache = state.residuals();
+            let cache = multistart(&mut state, cache).unwrap();
+            assert!(
+                (state.global[0] / drag - 1.0).abs() < 0.02,
+                "{}",
+                state.global[0] / drag
+            );
+            assert!(cache.median_scale() < 2.0 * usual);
+            let is_anew = |flight: &Observations| {
+                flight
+                    .notes
+                    .iter()
+                    .any(|note| note.contains("it was started anew"))
+            };
+            let anew: Vec<bool> = state.flights.iter().map(is_anew).collect();
+            assert_eq!(anew, [false, false, true, false]);
+        });
     }
 
     #[test]

@@ -290,3 +290,32 @@ pub fn conflicts(
     }
     Ok(conflicts)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::channel::MARKER;
+    use crate::fit::fit;
+    use crate::fit::tests::simulated;
+    use dataset::synthesize::Plan;
+
+    #[test]
+    fn a_fit_that_leaves_accelerations_does_not_follow_the_recording() {
+        let model = model_spec::load::load("ball", &[]).unwrap();
+        let plan = Plan {
+            flights: 3,
+            duration: Some(0.4),
+            ..Plan::default()
+        };
+        let dataset = simulated(&model, "serve", &plan);
+        let mut found = fit(&model, &dataset, &FitOptions::default()).unwrap();
+        assert!(flies_as_recorded(&found));
+        // By an acceleration, m/s², in 0.4 s.
+        let mut leaves = |acceleration: f64| {
+            let position = found.report.residual_rms.get_mut(MARKER).expect("markers");
+            position.value = BENDING * acceleration * 0.4 * 0.4;
+            !flies_as_recorded(&found)
+        };
+        assert!(!leaves(1.5) && leaves(5.0));
+    }
+}

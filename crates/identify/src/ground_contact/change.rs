@@ -264,6 +264,16 @@ mod tests {
     }
 
     #[test]
+    fn a_bounce_while_the_body_is_not_seen_is_dated_within_the_gap() {
+        for seed in 0..10 {
+            let mut path = path(6.0, (0.0, 1.0), Some((44, 0.5)), seed);
+            path.retain(|point| !(40..45).contains(&point.sample));
+            let found = first_change(&path).expect("a bounce").sample;
+            assert!(found.abs_diff(44) <= 1, "{found}");
+        }
+    }
+
+    #[test]
     fn a_strong_lift_that_fades_is_no_impact() {
         for seed in 0..60 {
             let lift = 10.0 + seed as f64;

@@ -130,3 +130,48 @@ fn mean_force(
     }
     sum / count
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::options::FitOptions;
+    use dataset::synthesize::Plan;
+    use dataset::{Sensor, SensorKind};
+
+    /// A body that spins flies across its axis, against the force of the air; it sinks along the axis.
+    #[test]
+    fn a_spinning_body_flies_against_the_force_across_its_axis() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let plan = Plan {
+            flights: 1,
+            duration: Some(0.5),
+            ..Plan::default()
+        };
+        let mut dataset = crate::fit::tests::simulated(&model, "backhand", &plan);
+        dataset.markers.clear();
+        let kinds = [Instrument::Gyroscope, Instrument::Accelerometer].map(SensorKind::Instrument);
+        let sensors = ["gyro", "acc"].into_iter().zip(kinds);
+        let sensors = sensors.map(|(name, kind)| Sensor::new(name, kind, [0.0; 3]));
+        dataset.sensors = sensors.collect();
+        let flight = &mut dataset.flights[0];
+        flight.positions.fill(Vec::new());
+        let row = [[50.0, 0.0, 0.0, 0.0], [5.0, 2.0, -3.0, 0.0]].map(Some);
+        // Before the force has turned with the body.
+        flight.readings = vec![vec![Some([50.0, 0.0, 0.0, 0.0]), None]; flight.times.len()];
+        flight.readings[0] = row.to_vec();
+        let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+        let observations = Observations::new(&problem, &dataset.flights[0]).unwrap();
+        let tried = motions(&problem, &observations).unwrap();
+        assert!(tried.len() > 10);
+        let against = -Vector3::new(0.0, 2.0, -3.0).normalize();
+        for (_, _, motion) in tried {
+            let velocity = motion.attitude.unwrap().inverse() * motion.velocity;
+            let direction = velocity.normalize();
+            assert!(direction.dot(&against) > 0.9, "{direction}");
+            assert!(
+                direction.x < 0.0 && direction.cross(&against).x.abs() < 1e-9,
+                "{direction}"
+            );
+        }
+    }
+}

@@ -298,8 +298,7 @@ mod tests {
     use crate::options::FitOptions;
     use dataset::synthesize::Plan;
 
-    #[test]
-    fn whole_turns_between_an_angle_and_its_default_are_taken_off() {
+    fn disc() -> (FitProblem, Observations) {
         let model = model_spec::load::load("disc", &[]).unwrap();
         let plan = Plan {
             flights: 1,
@@ -309,10 +308,28 @@ mod tests {
         let dataset = simulated(&model, "backhand", &plan);
         let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
         let observations = Observations::new(&problem, &dataset.flights[0]).unwrap();
+        (problem, observations)
+    }
+
+    #[test]
+    fn a_body_is_also_sought_upside_down_and_on_its_edges() {
+        let (problem, observations) = disc();
+        let guesses = guesses(&problem, &observations);
+        for angle in problem.model.angle_states() {
+            for turn in [-0.25, 0.0, 0.25, 0.5] {
+                let mut turned = guesses.iter().map(|own| own[angle] - turn * TAU);
+                assert!(turned.any(|off| off.abs() < 1e-12), "{angle} {turn}");
+            }
+        }
+    }
+
+    #[test]
+    fn whole_turns_between_an_angle_and_its_default_are_taken_off() {
+        let (problem, observations) = disc();
         let motion = first_motion(&problem, &observations).unwrap();
         let state = state_for_motion(&problem, &observations, &motion).unwrap();
         let mut turned = state.clone();
-        for angle in model.angle_states() {
+        for angle in problem.model.angle_states() {
             turned[angle] += 3.0 * TAU;
         }
         assert!((unwound(&problem, &turned) - state).norm() < 1e-9);

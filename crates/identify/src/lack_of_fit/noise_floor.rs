@@ -247,6 +247,25 @@ mod tests {
     }
 
     #[test]
+    fn a_flight_with_as_few_residuals_as_its_splines_have_coefficients_tells_nothing() {
+        let mut flights = flights(0.6);
+        flights.truncate(2);
+        let of = |flights: &[FlightSeries]| {
+            let flights: Vec<&FlightSeries> = flights.iter().collect();
+            likelihood(&flights, (0, &[0]), 0, 0.6, 1.0 / 120.0)
+        };
+        let with = of(&flights);
+        for series in flights[1].series.iter_mut().flatten() {
+            series.times.truncate(2);
+            series.sides.truncate(2);
+        }
+        let (short, without) = (of(&flights), of(&flights[..1]));
+        assert!(with.deviance < without.deviance);
+        assert_eq!(short.deviance, without.deviance);
+        assert_eq!(short.degrees_of_freedom, without.degrees_of_freedom);
+    }
+
+    #[test]
     fn noise_is_found_again_whatever_moves_beside_it() {
         for ar1 in [0.0, 0.6] {
             let channels = [marker()];

@@ -298,6 +298,46 @@ mod tests {
     }
 
     #[test]
+    fn a_misfit_is_named_by_the_column_of_the_table() {
+        let named = |components: usize| {
+            let series = |size: f64| {
+                let mut one = Series::new(1);
+                for sample in 0..150 {
+                    let time = f64::from(sample) / 120.0;
+                    let noise = 0.001 * 3.0_f64.sqrt() * jitter(sample as usize);
+                    one.times.push(time);
+                    one.sides.push(noise + size * (4.0 * time).sin());
+                }
+                one
+            };
+            let of_flight = FlightSeries {
+                series: vec![[series(0.02), series(0.0), series(0.0)]],
+                fine: SplineBasis::new((0.0, 1.25), 0.03),
+            };
+            let channel = Channel {
+                name: "radar".to_owned(),
+                kind: crate::channel::ChannelKind::Marker(0),
+                position: [0.0; 3],
+                components,
+                group: 0,
+                sigma: None,
+                scale: 1.0,
+                unit: "m/s",
+                to_si: 1.0,
+                is_exact: false,
+                assumed: None,
+                rounding: [0.0; 3],
+                repeats: false,
+            };
+            let slow = SplineBasis::new((0.0, 1.25), 0.25);
+            let noise = NoiseModel::white(0.001, 1.0 / 120.0);
+            greatest_misfit(&of_flight, &slow, &noise, &[channel]).map(|own| own.coordinate)
+        };
+        assert_eq!(named(1).as_deref(), Some("radar"));
+        assert_eq!(named(3).as_deref(), Some("radar_x"));
+    }
+
+    #[test]
     fn what_a_flights_own_unknowns_did_not_take_is_a_misfit() {
         assert!(p_value(0.0) > 0.01, "{}", p_value(0.0));
         assert!(p_value(0.01) < 1e-6, "{}", p_value(0.01));

@@ -147,5 +147,11 @@ mod tests {
         let pseudo = pseudo_inverse(&matrix).unwrap();
         assert!((pseudo[(0, 0)] - 0.0025).abs() < 1e-12);
         assert!(ScaledCholesky::independent(&matrix, 0.0).is_none());
+        // Different but for rounding; without unknowns nothing depends on others.
+        let last = 1.0 + 4.0 * f64::EPSILON;
+        let nearly = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 1.0, last]);
+        assert!(ScaledCholesky::new(&nearly, 0.0).is_some());
+        assert!(ScaledCholesky::independent(&nearly, 0.0).is_none());
+        assert!(ScaledCholesky::independent(&DMatrix::zeros(0, 0), 0.0).is_some());
     }
 }

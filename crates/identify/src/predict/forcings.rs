@@ -365,16 +365,18 @@ mod tests {
             (&targets, &weights),
         );
         let (block, tested) = found.unwrap().unwrap();
-        for (test, same) in [(late_k, k_late), (constant, a_up)] {
+        assert_eq!(block.count, 3 * observations.channels * times.len());
+        // What begins between two samples is known less exactly.
+        for (test, same, within) in [(late_k, k_late, 2e-2), (constant, a_up, 1e-3)] {
             for other in 0..3 {
                 let ratio = tested.by_global[(other, test)] / block.global[(other, same)];
-                assert!((ratio - 1.0).abs() < 2e-2, "{same} {other} {ratio}");
+                assert!((ratio - 1.0).abs() < within, "{same} {other} {ratio}");
             }
             let ratio = tested.information[test] / block.global[(same, same)];
-            assert!((ratio - 1.0).abs() < 2e-2, "{same} {ratio}");
+            assert!((ratio - 1.0).abs() < within, "{same} {ratio}");
             let cross = block.cross.column(same);
             let left = tested.by_local.column(test) - cross;
-            assert!(left.norm() < 2e-2 * cross.norm(), "{left}");
+            assert!(left.norm() < within * cross.norm(), "{left}");
         }
     }
 }

@@ -279,3 +279,64 @@ fn marker_distances(report: &FitReport) -> Option<String> {
         1e3 * worst.std_error_m
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::noise::NoiseModel;
+    use crate::report::MissingTerm;
+
+    /// An estimate of 7 ± 1 with the prior 1 ± 2: the data alone give 9 ± 1.15, 3.5 standard deviations away.
+    #[test]
+    fn a_prior_that_the_data_contradict_is_told() {
+        let estimated = |value: f64, std_error: f64| Coefficient {
+            value,
+            std_error,
+            std_error_cluster_robust: None,
+            interval: [0.0; 2],
+            unit: "1".to_owned(),
+            at_bound: false,
+            fixed: false,
+            model_value: 1.0,
+            prior: Some([1.0, 2.0]),
+        };
+        let (why, conflict) = prior_conflict("c", &estimated(7.0, 1.0)).expect("a conflict");
+        let (data, of_data) = (9.0, 4.0_f64 / 3.0);
+        assert!((conflict - (data - 1.0) / (of_data + 4.0).sqrt()).abs() < 1e-12);
+        assert!(
+            why.contains("they alone give 9.0, 3.5 standard deviations"),
+            "{why}"
+        );
+        assert_eq!(prior_conflict("c", &estimated(6.0, 1.0)), None);
+        assert_eq!(prior_conflict("c", &estimated(7.0, 2.0)), None);
+    }
+
+    #[test]
+    fn a_missing_term_is_told_if_it_is_significant() {
+        let told = |p_value: f64| {
+            let missing_term = Some(MissingTerm {
+                target: "der(vx)".to_owned(),
+                changes_with: Some("V".to_owned()),
+                tests: 3,
+                p_value,
+            });
+            let test = LackOfFit {
+                p_value: 1.0,
+                flights: Default::default(),
+                largest_misfits: Vec::new(),
+                missing_term,
+                input_noise: None,
+                noise_m: 0.0,
+                beyond_noise_m: 0.0,
+                excess_chi2: 0.0,
+                has_length: true,
+                noise: NoiseModel::white(0.0, 1.0),
+            };
+            test.missing_term()
+        };
+        assert!(
+            told(0.001).is_some_and(|why| why.contains("der(vx) lacks a term that changes with V"))
+        );
+        assert_eq!(told(0.01), None);
+    }
+}

@@ -172,6 +172,9 @@ fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha12Rng;
+    use rand_distr::StandardNormal;
 
     #[test]
     fn even_normal_values_lie_on_the_diagonal() {
@@ -214,5 +217,32 @@ mod tests {
         let axes = pool.axes();
         assert!((axes["x"].autocorrelation[1] + 1.0).abs() < 1e-12);
         assert!((axes["z"].autocorrelation[2] - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn noise_that_is_known_leaves_independent_residuals_of_its_size() {
+        let mut random = ChaCha12Rng::seed_from_u64(5);
+        let mut noise = AxesNoise::white(0.002, 0.01);
+        noise.ar1 = [0.7; 3];
+        let mut last = 0.0;
+        let residuals = (0..20_000).map(|_| {
+            let fresh: f64 = random.sample(StandardNormal);
+            last = 0.7 * last + 0.002 * (1.0_f64 - 0.49).sqrt() * fresh;
+            Some([last; 3])
+        });
+        let residuals: Vec<_> = residuals.collect();
+        let times: Vec<f64> = (0..20_000).map(|sample| 0.01 * f64::from(sample)).collect();
+        let mut pool = ResidualPool::default();
+        pool.add(&times, &residuals, &noise);
+        let found = &pool.axes()["y"];
+        assert!((found.autocorrelation[1] - 0.7).abs() < 0.03);
+        assert!(
+            found.whitened_autocorrelation[1..]
+                .iter()
+                .all(|own| own.abs() < 0.04)
+        );
+        for [expected, found] in found.quantiles.iter().filter(|own| own[0].abs() < 2.0) {
+            assert!((expected - found).abs() < 0.15, "{expected} {found}");
+        }
     }
 }

@@ -212,3 +212,33 @@ fn share_noise(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
             count >= MIN_BLOCKS && variance < limit
         })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shift_of_a_clock_is_found() {
+        let points = |interval: f64, shift: f64| -> Vec<PathPoint> {
+            let each = (0..40).map(|sample| {
+                let time = interval * sample as f64;
+                let at = time + shift;
+                PathPoint {
+                    sample,
+                    time,
+                    position: Vector3::new(9.0 * at, 0.3 * at, 1.0 + 2.0 * at - 4.905 * at * at),
+                    attitude: None,
+                }
+            });
+            each.collect()
+        };
+        let (dense, sparse) = (points(0.01, 0.0), points(0.02, 0.0137));
+        let path = |points, interval| Path {
+            points,
+            interval,
+            noise: 1e-3,
+        };
+        let (dense, sparse) = (path(&dense[..], 0.01), path(&sparse[..], 0.02));
+        assert!((refined(&dense, &sparse, 0.02) - 0.0137).abs() < 1e-6);
+    }
+}

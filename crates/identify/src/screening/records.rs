@@ -290,3 +290,48 @@ fn line(points: &[PathPoint], time: f64) -> (Vector3<f64>, Vector3<f64>) {
     let position = median_vector(&at.collect::<Vec<_>>());
     (position.unwrap_or_default(), velocity)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_track_that_stays_is_dated_from_its_first_sample_to_its_last() {
+        let track = (10..90).map(|sample: usize| {
+            let at = if (30..=40).contains(&sample) {
+                30
+            } else {
+                sample
+            };
+            (
+                sample,
+                [0.02 * at as f64, 0.0, 0.5 + 1e-3 * (at as f64).sin()],
+            )
+        });
+        let found = repeated(&track.collect::<Vec<_>>(), FROZEN_DISTANCE);
+        let Some(Repeated::Once { first, last, usual }) = found else {
+            panic!("it stays once");
+        };
+        assert_eq!((first, last), (30, 40));
+        assert!((usual - 0.2).abs() < 0.01, "{usual}");
+    }
+
+    #[test]
+    fn a_jump_by_whole_frames_is_found_if_it_is_above_the_noise() {
+        // Three frames are missing before the sixth point.
+        let points = (0..12).map(|sample: usize| {
+            let frames = if sample < 6 { sample } else { sample + 3 };
+            PathPoint {
+                sample,
+                time: 0.01 * sample as f64,
+                position: Vector3::new(0.1 * frames as f64, 0.0, 1.0),
+                attitude: None,
+            }
+        });
+        let points: Vec<PathPoint> = points.collect();
+        let ahead = missing_frames(&points, 6, 0.015).expect("missing frames");
+        assert!((ahead - 0.3).abs() < 1e-9, "{ahead}");
+        assert_eq!(missing_frames(&points, 6, 0.5), None);
+        assert_eq!(missing_frames(&points, 5, 0.015), None);
+    }
+}

@@ -130,3 +130,33 @@ pub fn nearest_rotation(products: &Matrix3<f64>) -> Matrix3<f64> {
     let sign = (left * right).determinant().signum();
     left * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * right
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Rotation3;
+
+    #[test]
+    fn an_exchange_keeps_one_axis() {
+        let reading = Vector3::new(1.0, 2.0, 3.0);
+        let exchanged = [0, 1, 2].map(|axis| SignedAxes::exchanged(axis).turned(reading));
+        let expected = [[1.0, 3.0, 2.0], [3.0, 2.0, 1.0], [2.0, 1.0, 3.0]];
+        assert_eq!(exchanged, expected.map(Vector3::from));
+    }
+
+    #[test]
+    fn the_nearest_rotation_is_that_of_the_vectors_and_its_axes_are_the_nearest() {
+        for (angle, axes) in [(0.6, [1.0, 2.0, 3.0]), (1.2, [-2.0, 1.0, 3.0])] {
+            let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle).into_inner();
+            let read = [[1.0, 0.2, 0.0], [0.1, -2.0, 0.3], [0.0, 0.1, 0.0]].map(Vector3::from);
+            let products = read.map(|own| turn * own * own.transpose()).into_iter();
+            let found = nearest_rotation(&products.sum());
+            assert!((found - turn).amax() < 1e-12, "{found}");
+            let nearest = SignedAxes::nearest(&found);
+            assert_eq!(
+                nearest.turned(Vector3::new(1.0, 2.0, 3.0)),
+                Vector3::from(axes)
+            );
+        }
+    }
+}

@@ -190,3 +190,36 @@ fn apparent_unit(flight: &Flight, channel: usize) -> Option<f64> {
     let interval = (rates.last()?.0 - rates[0].0) / (rates.len() - 1) as f64;
     Some(turned / interval / mean.norm())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ground_contact::tests::jitter;
+    use crate::screening::tests::calm_disc;
+
+    /// The axis of a body that spins steadily turns with it, also by far more than a right angle from sample to sample.
+    #[test]
+    fn the_unit_of_rates_is_that_in_which_their_direction_turns() {
+        let (_, dataset) = calm_disc(1);
+        let mut flight = dataset.flights[0].clone();
+        for spin in [20.0, 60.0, 115.0] {
+            for unit in [1.0, 1.0_f64.to_radians()] {
+                flight.times = (0..100).map(|sample| 0.02 * f64::from(sample)).collect();
+                let rates = flight.times.iter().map(|time| {
+                    let (sin, cos) = (spin * time).sin_cos();
+                    vec![Some(
+                        [0.1 * spin * cos, 0.1 * spin * sin, spin, 0.0].map(|own| own / unit),
+                    )]
+                });
+                flight.readings = rates.collect();
+                let found = apparent_unit(&flight, 0).expect("it turns");
+                assert!((found / unit - 1.0).abs() < 0.02, "{spin} {unit}: {found}");
+            }
+        }
+        // Noise does not turn.
+        for (sample, row) in flight.readings.iter_mut().enumerate() {
+            row[0] = Some([jitter(2 * sample), jitter(2 * sample + 1), 20.0, 0.0]);
+        }
+        assert_eq!(apparent_unit(&flight, 0), None);
+    }
+}

@@ -170,7 +170,50 @@ impl<'m> Found<'m> {
 
 #[cfg(test)]
 mod tests {
-    use super::range;
+    use super::*;
+    use crate::options::FitOptions;
+    use crate::problem::FitProblem;
+    use dataset::synthesize::Plan;
+
+    /// Two coefficients of which only the sum is determined, in units of their usual sizes.
+    #[test]
+    fn coefficients_that_move_together_are_named() {
+        let disc = model_spec::load::load("disc", &[]).expect("the disc");
+        let plan = Plan {
+            flights: 1,
+            duration: Some(0.1),
+            ..Plan::default()
+        };
+        let dataset = crate::fit::tests::simulated(&disc, "backhand", &plan);
+        let problem = FitProblem::new(&disc, &dataset, &FitOptions::default()).expect("a problem");
+        let global = &problem.globals;
+        let of = |apart: f64| {
+            let covariance = DMatrix::from_fn(global.len(), global.len(), |i, j| {
+                let relative = match (i, j) {
+                    (0, 0) | (1, 1) => 1e-6 + apart * apart,
+                    (0, 1) | (1, 0) => -apart * apart,
+                    _ => 1e-6 * f64::from(u8::from(i == j)),
+                };
+                relative * global[i].x_scale * global[j].x_scale
+            });
+            non_identifiable(&disc, global, &covariance, &ExcitationRange::new())
+        };
+        assert_eq!(of(0.01), []);
+        let [found] = &of(2.0)[..] else {
+            panic!("one direction");
+        };
+        let names = [0, 1].map(|place| global[place].name.clone());
+        assert!(
+            names.iter().all(|name| found.combination.contains(name)),
+            "{found:?}"
+        );
+        assert_eq!(found.combination.len(), 2);
+        assert!(
+            (found.relative_error - 8.0_f64.sqrt()).abs() < 1e-3,
+            "{found:?}"
+        );
+        assert!(found.reason.contains("move together"), "{found:?}");
+    }
 
     #[test]
     fn angles_are_in_degrees_and_ratios_are_not() {

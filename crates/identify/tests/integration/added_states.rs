@@ -1,4 +1,4 @@
-//! States that an effect adds: of each flight its own, and found with its initial state.
+//! What an effect adds: states, of each flight its own and found with its initial state, and coefficients of what is observed.
 
 use dataset::synthesize::{Corruption, Plan, flights};
 use flight::release::{Vocabulary, built_in, read};
@@ -43,4 +43,40 @@ fn the_wind_of_each_flight_is_found() {
         }
     }
     assert!(winds.iter().all(|wind| wind.abs() > 1e-3), "{winds:?}");
+}
+
+const SCALE: &str = "
+effect longer {
+  site scale;
+  coefficient b = 0 in -0.5 .. 0.5;
+  replace observe = previous*(1 + b);
+}
+";
+
+/// By gravity, as of a recording whose lengths are too long.
+#[test]
+fn a_coefficient_of_the_observation_alone_is_estimated() {
+    let ball = model_spec::load::MODELS.iter().find(|m| m.0 == "ball");
+    let text = ball.expect("built in").1.to_owned() + SCALE;
+    let model = |text: &str| model_spec::load::from_text("ball.hyz", text, &["longer"]);
+    let longer = model(&text.replace("b = 0", "b = 0.03")).expect("a model");
+    let serve = built_in("serve").expect("built in");
+    let release = read("serve", serve, |_| Ok(Vocabulary::of(&longer))).expect("a release");
+    let plan = Plan {
+        flights: 3,
+        noise: Corruption {
+            sigma: 1e-5,
+            ..Corruption::default()
+        },
+        ..Plan::default()
+    };
+    let made = flights(&longer, &[release], &plan).expect("made");
+    let model = model(&text).expect("a model");
+    let fitted = fit(&model, &made.dataset, &FitOptions::default()).expect("a fit");
+    let found = &fitted.report.coefficients["b"];
+    assert!(
+        (found.value - 0.03).abs() < 5.0 * found.std_error,
+        "{found:?}"
+    );
+    assert!(found.std_error < 0.003, "{found:?}");
 }

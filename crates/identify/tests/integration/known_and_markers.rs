@@ -100,3 +100,20 @@ fn left_handed_axes_of_a_point_are_told_where_a_known_spin_contradicts_them() {
     let is_own = |own: &String| own.starts_with("C_Lw") && own.contains("left-handed");
     assert!(told.iter().any(is_own), "{told:?}");
 }
+
+#[test]
+fn a_point_that_is_off_in_a_held_out_flight_is_an_outlier() {
+    let plan = Plan {
+        flights: 4,
+        held_out: 1,
+        ..Plan::default()
+    };
+    let (model, mut dataset) = made("ball", "serve", &plan);
+    let held_out = dataset.flights.last_mut().expect("held out");
+    let point = held_out.positions[40][0].as_mut().expect("seen");
+    point[1] += 0.3;
+    let fitted = fit(&model, &dataset, &FitOptions::default()).expect("a fit");
+    let report = fitted.report.flights.last().expect("predicted");
+    assert_eq!(report.outliers, 1, "{report:?}");
+    assert!(report.rms() < 0.01, "{report:?}");
+}

@@ -61,3 +61,23 @@ fn gravity_in_feet_is_told_where_the_positions_are_in_feet_too() {
     let told = cautions(&(model, dataset), "g", 32.174);
     assert!(told[0].contains("g is stated as 32.2"), "{told:?}");
 }
+
+#[test]
+fn a_coefficient_that_is_held_at_a_value_that_the_data_contradict_is_told() {
+    let (model, dataset) = released("ball", built_in("serve").expect("built in"));
+    let drag = model.coefficients.iter().find(|own| own.name == "C_D");
+    let drag = drag.expect("a coefficient").value;
+    let told = |times: f64| {
+        let options = FitOptions {
+            fixed: &[("C_D".to_owned(), Some(times * drag))],
+            ..FitOptions::default()
+        };
+        fit(&model, &dataset, &options)
+            .expect("a fit")
+            .report
+            .conflicts()
+    };
+    assert_eq!(told(1.0), [""; 0]);
+    let told = told(1.3);
+    assert!(told.len() == 1 && told[0].contains("C_D"), "{told:?}");
+}

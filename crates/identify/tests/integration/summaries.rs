@@ -386,13 +386,18 @@ fn what_rows_do_not_tell_of_the_spin_is_told() {
     let manifest = "model = \"golf_ball\"\n[[summaries]]\nfile = \"shots.csv\"\n[summaries.columns]\n\
         Speed = { is = \"speed\", unit = \"mph\" }\nLaunch = { is = \"launch\", unit = \"deg\" }\n\
         Spin = { is = \"spin\", unit = \"rpm\" }\nCarry = { is = \"carry\", unit = \"yd\" }\n";
-    let noted = |spins: [&str; 4], manifest: &str| {
+    let noted_of = |spins: [&str; 4], manifest: &str, known: Option<KnownValue>| {
         let mut table = String::from("Speed,Launch,Spin,Carry\n");
         for (k, spin) in spins.into_iter().enumerate() {
             let _ = writeln!(table, "{},12,{spin},{}", 140 + 5 * k, 225 + 8 * k);
         }
         let tables = BTreeMap::from([("shots.csv".to_owned(), table)]);
-        let dataset = from_texts(manifest, &tables).expect("a dataset");
+        let mut dataset = from_texts(manifest, &tables).expect("a dataset");
+        for flight in &mut dataset.flights {
+            flight
+                .known
+                .extend(known.map(|spin| ("omega".to_owned(), spin)));
+        }
         let options = FitOptions {
             fixed: &["C_Ds", "C_DRe", "C_L1", "n_L", "C_N"].map(|name| (name.to_owned(), None)),
             ..FitOptions::default()
@@ -403,6 +408,7 @@ fn what_rows_do_not_tell_of_the_spin_is_told() {
             .notes
             .join("\n")
     };
+    let noted = |spins, manifest: &str| noted_of(spins, manifest, None);
     let of_some = noted(["2500", "", "2600", ""], manifest);
     let expected = "2 of 4 rows have no spin, and are assumed to have 267 ± 300 rad/s";
     assert!(of_some.contains(expected), "{of_some}");
@@ -411,4 +417,7 @@ fn what_rows_do_not_tell_of_the_spin_is_told() {
     let without = manifest.replace("Spin = { is = \"spin\", unit = \"rpm\" }\n", "");
     let of_none = noted(["", "", "", ""], &without);
     assert!(of_none.contains("no column tells the spin"), "{of_none}");
+    let known = Some(KnownValue::Vector([0.0, -260.0, 0.0]));
+    let of_known = noted_of(["", "", "", ""], &without, known);
+    assert!(!of_known.contains("no column tells the spin"), "{of_known}");
 }

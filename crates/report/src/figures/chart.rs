@@ -297,3 +297,38 @@ pub(crate) fn axis_for(values: impl Iterator<Item = f64> + Clone) -> Axis {
         Axis::Linear
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::tests::texts;
+
+    #[test]
+    fn ticks_of_a_logarithmic_axis_are_round_numbers_within_it() {
+        let all = |least: f64, greatest: f64| -> Vec<f64> {
+            let ticks = Axis::Log(least).ticks(greatest, 6);
+            ticks.into_iter().map(|(value, _)| value).collect()
+        };
+        assert_eq!(all(0.01, 0.2), [0.01, 0.02, 0.05, 0.1, 0.2]);
+        // Of many, powers of ten at equal distances.
+        let wide = all(1e-6, 1e6);
+        assert!((4..=6).contains(&wide.len()), "{wide:?}");
+        for tick in wide {
+            assert!((tick.log10() - tick.log10().round()).abs() < 1e-9, "{tick}");
+        }
+    }
+
+    #[test]
+    fn rows_are_below_the_title() {
+        let rows = vec![Row::new("first", "strong", vec![Shape::Dot(1.0, "after")])];
+        let layout = Layout::COLUMN;
+        let chart = Chart::new("Estimates", rows, Axis::Linear, "sizes");
+        let texts = texts(&chart.draw(layout));
+        let base = |text: &str| texts.iter().find(|own| own.0 == text).expect(text).1[1];
+        assert!(
+            base("first") - layout.letters > base("Estimates"),
+            "{texts:?}"
+        );
+        assert!(base("sizes") > base("first"));
+    }
+}

@@ -14,6 +14,8 @@ mod names;
 mod panel;
 mod states;
 pub(crate) mod svg;
+#[cfg(test)]
+mod tests;
 pub(crate) mod triangle;
 
 pub use figure::{figure, figure_of};

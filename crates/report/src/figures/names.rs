@@ -108,3 +108,44 @@ impl LabelBox {
             && other.top < self.bottom
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::Figure;
+    use crate::figures::tests::texts;
+    use crate::figures::{Layout, Mark, Panel};
+
+    /// Of the four places beside a mark in a corner, one is inside.
+    #[test]
+    fn the_label_of_a_mark_in_a_corner_is_inside() {
+        let corners = [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)];
+        let of = |at: (f64, f64)| {
+            let mut panel = Panel::new("height", "distance").line("", corners);
+            panel.marks = vec![Mark::new("landing", at)];
+            let svg = Figure::of_panels("path", "t", "c", Layout::COLUMN, &[panel]).svg;
+            let tree = roxmltree::Document::parse(&svg).unwrap();
+            let mut dots = tree
+                .descendants()
+                .filter(|node| node.has_tag_name("circle"));
+            let dot = dots
+                .find(|node| node.attribute("class") == Some("mark"))
+                .unwrap();
+            let dot = ["cx", "cy"].map(|name| dot.attribute(name).unwrap().parse().unwrap());
+            let texts = texts(&svg);
+            let label = texts.into_iter().find(|own| own.0 == "landing").unwrap().1;
+            (dot, label)
+        };
+        for (at, sign) in
+            corners
+                .into_iter()
+                .zip([[1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [-1.0, 1.0]])
+        {
+            let (dot, label): ([f64; 2], [f64; 2]) = of(at);
+            let off = [label[0] - dot[0], label[1] - dot[1]];
+            assert!(
+                off[0] * sign[0] > 0.0 && off[1] * sign[1] > 0.0,
+                "{at:?} {off:?}"
+            );
+        }
+    }
+}

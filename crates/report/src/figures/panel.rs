@@ -167,3 +167,18 @@ pub(crate) fn samples_below(across: String, points: &[(f64, f64)]) -> Panel {
         ..Panel::new("Samples", across)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Bar;
+
+    #[test]
+    fn bars_meet_half_way_between_their_points() {
+        let bars = Bar::between_midpoints(&[(0.0, 1.0), (2.0, 3.0), (6.0, 2.0)]);
+        let edges: Vec<[f64; 3]> = bars
+            .iter()
+            .map(|own| [own.from, own.to, own.height])
+            .collect();
+        assert_eq!(edges, [[0.0, 1.0, 1.0], [1.0, 4.0, 3.0], [4.0, 6.0, 2.0]]);
+    }
+}

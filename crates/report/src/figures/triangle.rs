@@ -104,3 +104,39 @@ impl Triangle<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::tests::{blocks, texts};
+
+    #[test]
+    fn cells_are_apart_and_the_scale_with_its_ends_is_below_them() {
+        let triangle = Triangle {
+            title: "Correlations",
+            names: vec!["C_L0", "C_La", "C_D0", "C_Da"],
+            is_strong: &|_| false,
+            value: &|row, column| 0.1 * (row + column) as f64,
+            is_signed: false,
+            ends: ["none", "all"],
+        };
+        let svg = triangle.draw(Layout::COLUMN);
+        let (texts, blocks) = (texts(&svg), blocks(&svg));
+        let (cells, scale) = blocks.split_at(6);
+        assert_eq!(scale.len(), STEPS);
+        // Rows of one, two and three cells.
+        let lower = |cell: &[f64; 4]| cell[1] + cell[3];
+        for (above, below) in [(0, 1), (1, 3), (2, 4)] {
+            assert!(lower(&cells[above]) < cells[below][1], "{cells:?}");
+        }
+        let last = lower(&cells[5]);
+        assert!(scale.iter().all(|own| own[1] > last), "{scale:?}");
+        for end in ["none", "all"] {
+            let (_, at) = texts.iter().find(|own| own.0 == end).expect(end);
+            assert!(
+                at[1] - 0.7 * Layout::COLUMN.letters > lower(&scale[0]),
+                "{end} {at:?}"
+            );
+        }
+    }
+}

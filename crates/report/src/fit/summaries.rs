@@ -122,3 +122,14 @@ pub(super) fn noise(report: &FitReport) -> String {
     let each: Vec<String> = each.collect();
     format!("Standard deviation of each column: {}.", each.join(", "))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::decimals;
+
+    #[test]
+    fn a_tenth_of_a_standard_deviation_is_shown() {
+        let sigmas = [30.0, 5.0, 0.5, 0.02, 1e-9, 0.0];
+        assert_eq!(sigmas.map(decimals), [0, 1, 2, 3, 6, 3]);
+    }
+}

@@ -12,9 +12,9 @@ const TWO_MEGABYTES: usize = 2_000_000;
 
 /// HTML report of a diagnosis and its figures.
 #[derive(Debug, PartialEq)]
-struct Made {
-    html: String,
-    figures: Vec<Figure>,
+pub struct Made {
+    pub html: String,
+    pub figures: Vec<Figure>,
 }
 
 fn make(page: &DiagnosisPage<'_>) -> Made {
@@ -22,7 +22,7 @@ fn make(page: &DiagnosisPage<'_>) -> Made {
     Made { html, figures }
 }
 
-fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) -> Made {
+pub fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) -> Made {
     let extended = report.extended_model.as_ref().map(|_| found::EXTENDED);
     let made = make(&DiagnosisPage {
         report,
@@ -83,7 +83,7 @@ fn check(made: &Made) {
 }
 
 /// Example of a diagnosis report with the given verdict, and the HTML page made from it.
-fn of(verdict: Verdict) -> (Report, Made) {
+pub fn of(verdict: Verdict) -> (Report, Made) {
     let after = made::evidence(9);
     let before = found::without(&after);
     let report = found::report(verdict, &after);

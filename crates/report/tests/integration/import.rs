@@ -53,11 +53,15 @@ fn flight(number: usize) -> ImportedFlight {
 }
 
 fn page(flights: usize) -> String {
+    page_of(flights, vec![(0.0, 1.0), (0.5, f64::NAN), (1.0, 2.0)])
+}
+
+fn page_of(flights: usize, heights: Vec<(f64, f64)>) -> String {
     let take = ImportedTake {
         file: "take <1>.csv".into(),
         decisions: vec![("up".into(), "+y, by --up".into())],
         notes: vec!["a second \"m1\" is called \"m1#2\"".into()],
-        heights: vec![(0.0, 1.0), (0.5, f64::NAN), (1.0, 2.0)],
+        heights,
         flights: (1..=flights).map(flight).collect(),
     };
     html(&ImportPage {
@@ -113,4 +117,11 @@ fn the_page_is_whole_and_loads_nothing() {
 fn many_flights_and_none() {
     assert!(page(70).contains("10 more flights are not drawn"));
     assert!(page(0).contains("No throw was found"));
+}
+
+#[test]
+fn a_recording_is_drawn_whole_where_something_of_it_is_cut_away() {
+    let is_whole = |heights: Vec<(f64, f64)>| page_of(1, heights).contains("Whole recordings");
+    assert!(is_whole(vec![(0.1, 1.0), (0.5, 1.5)]));
+    assert!(!is_whole(vec![(0.1, f64::NAN), (0.5, 1.5), (1.5, 1.0)]));
 }

@@ -2,8 +2,10 @@
 
 mod browser;
 mod diagnosis;
+mod diagnosis_sizes;
 mod finding;
 mod found;
 mod import;
 mod made;
 mod page;
+mod stability;

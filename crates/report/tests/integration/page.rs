@@ -329,3 +329,75 @@ fn what_was_left_out_is_counted_by_itself() {
     // Too few are left for a histogram.
     assert!(figures.iter().all(|figure| figure.name != "rms"));
 }
+
+#[test]
+fn states_are_drawn_as_they_were_flown() {
+    let evidence = made::evidence(1);
+    let (_, figures) = made(&made::report(1), &evidence);
+    let states = figures.iter().find(|figure| figure.name == "states-01");
+    let csv = &states.expect("states").csv;
+    // A title may contain commas.
+    let lines: Vec<(&str, &str)> = csv
+        .lines()
+        .filter_map(|line| line.split_once(",line,"))
+        .collect();
+    let cell =
+        |line: &(&str, &str), at: usize| line.1.split(',').nth(at).expect("a cell").to_owned();
+    let mut series: Vec<(&str, String)> =
+        lines.iter().map(|line| (line.0, cell(line, 0))).collect();
+    series.dedup();
+    assert!(series.len() >= evidence[0].state_names.len(), "{series:?}");
+    let times = lines
+        .iter()
+        .map(|line| cell(line, 1).parse().expect("a time"));
+    let (first, last) = times.fold(
+        (f64::INFINITY, 0.0),
+        |(first, last): (f64, f64), time: f64| (first.min(time), last.max(time)),
+    );
+    let end = evidence[0].times[evidence[0].times.len() - 1];
+    assert!(
+        first == 0.0 && (last - end).abs() < 1e-4,
+        "{first} {last} {end}"
+    );
+    assert!(lines.len() > 2 * series.len());
+}
+
+#[test]
+fn an_outlier_far_away_does_not_change_the_tracks() {
+    let tracks = |at: Option<[f64; 3]>| {
+        let mut evidence = made::evidence(1);
+        evidence[0].measured[10][0] = at;
+        evidence[0].outlier[10][0] = at.is_some();
+        let (_, figures) = made(&made::report(1), &evidence);
+        let tracks = figures
+            .into_iter()
+            .filter(|figure| figure.name.starts_with("track"));
+        tracks.map(|figure| figure.svg).collect::<Vec<_>>()
+    };
+    let [x, y, z] = made::evidence(1)[0].predicted[10][0];
+    let without = tracks(None);
+    assert!(!without.is_empty());
+    // Over time it may be drawn by another coordinate.
+    assert!(tracks(Some([x + 1000.0, y, z])) == tracks(Some([x + 2000.0, y, z])));
+    assert!(tracks(Some([x, y + 1000.0, z])) == tracks(Some([x, y + 2000.0, z])));
+    assert!(tracks(Some([x, y, z])) != without);
+}
+
+#[test]
+fn the_values_of_summaries_are_a_table() {
+    let mut report = made::report(2);
+    assert_eq!(report::fit::summaries_csv(&report), None);
+    report.flights[0].is_summary = true;
+    report.flights[0].seen.push(identify::SeenValue {
+        name: "Carry".into(),
+        measures: "carry".into(),
+        unit: "yd".into(),
+        measured: 250.0,
+        predicted: 247.5,
+        sigma: 2.0,
+    });
+    let csv = report::fit::summaries_csv(&report).expect("a table");
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 2);
+    assert_eq!(lines[1], "throw01.csv,fit,carry,yd,250,247.5,2");
+}

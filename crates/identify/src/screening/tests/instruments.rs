@@ -137,6 +137,66 @@ fn readings_on_a_coarse_grid_are_not_saturated_and_those_at_a_limit_are() {
         assert_eq!(told(coarse), 0);
         assert_eq!(told(|part| part.clamp(-48.0, 48.0)), 3);
     }
+    // On a coarse grid a long run in one flight may be what the body does.
+    let (model, _) = calm_disc(1);
+    for (flights, count) in [(1, 0), (2, 2)] {
+        let mut dataset = recorded(true, |own| own);
+        for (index, flight) in dataset.flights.iter_mut().enumerate() {
+            for (sample, row) in flight.readings.iter_mut().enumerate() {
+                let at_limit = index < flights && (50..90).contains(&sample);
+                let rate = if at_limit {
+                    40.0
+                } else {
+                    [10.0, 20.0, 30.0][sample / 6 % 3]
+                };
+                row[2] = Some([rate, 0.3, -40.0 - 0.01 * sample as f64, 0.0]);
+            }
+        }
+        let faults = found(&model, &dataset);
+        let saturated = faults
+            .iter()
+            .filter(|own| own.detail.contains("gyro_x is saturated"));
+        assert_eq!(saturated.count(), count, "{faults:?}");
+    }
+    // Nowhere else does a reading repeat.
+    let (model, _) = calm_disc(1);
+    for (samples, count) in [(7, 0), (8, 1)] {
+        let mut dataset = recorded(true, |own| own);
+        for (k, row) in (0..samples).zip(&mut dataset.flights[1].readings[50..]) {
+            row[2] = Some([70.0, 0.3 + 0.01 * f64::from(k), -40.0, 0.0]);
+        }
+        let faults = found(&model, &dataset);
+        let saturated = faults
+            .iter()
+            .filter(|own| own.detail.contains("gyro_x is saturated"));
+        assert_eq!(saturated.count(), count, "{faults:?}");
+    }
+}
+
+#[test]
+fn dropouts_of_a_gyroscope_that_are_written_as_zeros_are_named() {
+    let (model, _) = calm_disc(1);
+    let told = |is_zero: fn(usize) -> bool| {
+        let mut dataset = recorded(true, |own| own);
+        let gyroscope = 2; // Behind the position and the attitude of the pose.
+        for row in dataset
+            .flights
+            .iter_mut()
+            .flat_map(|own| own.readings.iter_mut().enumerate())
+        {
+            if is_zero(row.0) {
+                row.1[gyroscope] = Some([0.0; 4]);
+            }
+        }
+        let faults = found(&model, &dataset);
+        faults
+            .iter()
+            .filter(|own| own.detail.contains("dropouts are written as zeros"))
+            .count()
+    };
+    assert_eq!(told(|sample| sample % 3 == 1), 5);
+    // Of a body that turns at times.
+    assert_eq!(told(|sample| sample % 3 != 1), 0);
 }
 
 #[test]
@@ -316,6 +376,11 @@ fn another_unit_is_one_in_which_a_fit_follows_the_readings() {
         points: squares.len(),
         outliers: 0,
     };
+    // Of readings of 30 m/s², as if they were in g, or had been converted from g twice.
+    let forces = recorded(false, |own| {
+        own.with_force(|all| all.map(|part| 3.0 * part))
+    });
+    assert_eq!(undetermined(&forces).len(), 2);
     assert!(unit.is_followed(&dataset, &[left(0.1)]));
     assert!(!unit.is_followed(&dataset, &[left(1.0)]));
 }

@@ -210,3 +210,47 @@ fn two_confused_units_are_named() {
     assert_eq!(confused(1.0 / 12.0), Some(("feet", "inches")));
     assert_eq!(confused(1.5), None);
 }
+
+#[test]
+fn missing_frames_that_the_times_do_not_show_are_named() {
+    let (model, mut dataset) = calm_disc(5);
+    let flight = &mut dataset.flights[3];
+    flight.positions.drain(50..53);
+    flight.times.truncate(flight.positions.len());
+    let faults = found(&model, &dataset);
+    assert_eq!(kinds(&faults), [("flight04.csv", FaultKind::Other)]);
+    assert!(
+        faults[0].detail.contains("as where frames are missing"),
+        "{}",
+        faults[0].detail
+    );
+}
+
+/// A constant load may be the reason of a constant acceleration between the axes; and among few flights none is unlike
+/// the others.
+#[test]
+fn no_axis_is_named_of_a_fall_between_the_axes_and_no_flight_of_few() {
+    let (model, dataset) = ball(4);
+    let all: Vec<usize> = (0..dataset.flights.len()).collect();
+    let (sin, cos) = 0.7_f64.sin_cos();
+    let mut tilted = dataset.clone();
+    for flight in &mut tilted.flights {
+        each_point(flight, |[x, y, z]| {
+            [x, cos * y - sin * z, sin * y + cos * z]
+        });
+    }
+    let faults = found(&model, &tilted);
+    assert!(
+        faults.iter().all(|own| own.fault != FaultKind::Axes),
+        "{faults:#?}"
+    );
+    let mut few = spoiled(&dataset, &all[..1], SPOILS[6].2);
+    few.flights.truncate(3);
+    let faults = found(&model, &few);
+    assert!(
+        faults
+            .iter()
+            .all(|own| !own.detail.contains("unlike in the other")),
+        "{faults:#?}"
+    );
+}

@@ -239,3 +239,41 @@ pub(super) fn next(page: &DiagnosisPage<'_>) -> String {
         ]),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::curve::Variable;
+    use super::*;
+
+    /// Of 154 samples at least four are on either side of a point that is named.
+    #[test]
+    fn the_point_that_is_named_has_samples_on_either_side() {
+        let named = |samples: [usize; 5]| {
+            let variable = || Variable {
+                name: "alpha".to_owned(),
+                doc: String::new(),
+                unit: "rad".to_owned(),
+            };
+            let points = samples
+                .into_iter()
+                .enumerate()
+                .map(|(place, samples)| Point {
+                    x: place as f64,
+                    before: 0.0,
+                    after: (place as f64).powi(2),
+                    error: 0.1,
+                    samples,
+                });
+            let curve = Curve {
+                quantity: variable(),
+                over: variable(),
+                points: points.collect(),
+            };
+            farthest(&curve).map(|point| point.x)
+        };
+        assert_eq!(named([50, 50, 50, 2, 2]), Some(3.0));
+        assert_eq!(named([50, 50, 50, 3, 1]), Some(3.0));
+        assert_eq!(named([50, 50, 51, 2, 1]), Some(2.0));
+        assert_eq!(named([30, 30, 30, 32, 32]), Some(4.0));
+    }
+}
