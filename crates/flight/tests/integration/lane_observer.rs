@@ -19,7 +19,7 @@ fn each_state_is_observed_with_its_parameters() {
     let varied: Vec<f64> = x.iter().map(|x| 1.0 + x).collect();
     for a in [None, Some(&varied[..])] {
         let columns: Vec<(usize, &[f64])> = a.iter().map(|a| (0, *a)).collect();
-        let observed = observer.observe(&[x.clone()], &[2.0, 3.0], &columns);
+        let observed = observer.observe(std::slice::from_ref(&x), &[2.0, 3.0], &columns);
         for (k, x) in x.iter().enumerate() {
             let a = a.map_or(2.0, |a| a[k]);
             let expected = [a * x, a.sin() * 3.0, 3.0 + x];
