@@ -2,7 +2,7 @@
 
 use ::flight::release::{Release, Stop};
 
-use super::{ball, calm_disc, disc, disc_releases, discs, found, model, plan, release};
+use super::{ball, calm_disc, discs, found, model, plan, release};
 use dataset::synthesize::{Plan, Spread, flights};
 
 #[test]
