@@ -7,7 +7,8 @@ use crate::model::{Expr, ExprKind, Function, Shape};
 
 pub(crate) const MAX_FACTORS: u64 = 1_000;
 
-pub(crate) const MAX_OPERATIONS: u64 = 20_000;
+/// Bounds the time in which a model is compiled; the disc with all effects of the catalogue has more than 20,000.
+pub(crate) const MAX_OPERATIONS: u64 = 25_000;
 
 #[derive(Clone, Copy)]
 struct Size {
