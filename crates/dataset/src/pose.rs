@@ -112,7 +112,7 @@ const MAX_STEPS: usize = 100;
 /// Least-squares rotation that maps vectors b to s, from `c` = Σ s bᵀ; `None` for collinear vectors. Newton's method
 /// starts at `bound`, half the sum of the squared lengths, which is above the largest eigenvalue of Horn's matrix.
 #[inline] // as `pose`
-fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
+pub fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
     #[rustfmt::skip]
     let key = Matrix4::new(
         c[(0, 0)] + c[(1, 1)] + c[(2, 2)], c[(2, 1)] - c[(1, 2)], c[(0, 2)] - c[(2, 0)], c[(1, 0)] - c[(0, 1)],

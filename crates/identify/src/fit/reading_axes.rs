@@ -8,7 +8,8 @@ use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::channel::ChannelKind;
 use crate::levels::{AS_GOOD, MAX_DELAY, is_clear};
-use crate::screening::{SignedAxes, nearest_rotation};
+use crate::screening::SignedAxes;
+use dataset::pose::nearest_rotation;
 use dataset::statistics::median_of;
 
 /// Predicted and measured readings of one flight, less their means, as instruments have offsets, and the time between them, s.
@@ -116,7 +117,9 @@ fn better_axes(flights: &[Readings]) -> Option<(SignedAxes, f64)> {
 fn best_turn(flights: &[Readings]) -> (Matrix3<f64>, f64) {
     let pairs = || flights.iter().flat_map(|own| &own.0);
     let products = pairs().map(|[predicted, measured]| predicted * measured.transpose());
-    let turn = nearest_rotation(&products.sum());
+    let sizes = pairs().flatten().map(Vector3::norm_squared);
+    let turn = nearest_rotation(&products.sum(), sizes.sum::<f64>() / 2.0);
+    let turn = turn.unwrap_or_default().to_rotation_matrix().into_inner();
     let squares = pairs().map(|[predicted, measured]| (turn * measured - predicted).norm_squared());
     let sum: f64 = squares.sum();
     (turn, sum / pairs().count() as f64)

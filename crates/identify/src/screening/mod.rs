@@ -32,7 +32,7 @@ pub(crate) use self::free_axes::mirrored;
 use self::free_fall::FreeFall;
 pub(crate) use self::other_meaning::{OtherMeaning, undetermined};
 pub(crate) use self::pose_frames::Poses;
-pub(crate) use self::signed_axes::{SignedAxes, nearest_rotation};
+pub(crate) use self::signed_axes::SignedAxes;
 use self::track::Track;
 use crate::error::{DataFault, ExcludedFlight, FaultKind, FlightError};
 use crate::ground_contact::ContactSearch;
