@@ -180,4 +180,7 @@ pub struct Discovery {
     /// Print a line for each run, and why the diagnosis rejects an effect of the simulated flights that it missed
     #[arg(long)]
     pub details: bool,
+    /// Write the datasets of the selected runs as folders that `hyzer` reads, and run nothing
+    #[arg(long, value_name = "DIR")]
+    pub write: Option<PathBuf>,
 }

@@ -12,7 +12,7 @@ use studies::Page;
 use studies::bodies::{bodies_page, curves, filmed, turns_and_fades};
 use studies::cuts::{CutSection, bounces, free_flights};
 use studies::discovery::{
-    details, discovery_page, peer_section, plan, rejections, run_rows, with_peer_section,
+    Case, details, discovery_page, peer_section, plan, rejections, run_rows, with_peer_section,
 };
 use studies::fits::{FitCase, fits, fits_page};
 use studies::identification::{coverage, identification_page, paper_fits};
@@ -48,7 +48,10 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
             let data = RealData::of(&options.data)?;
             (real_data_page(&data)?, options.out)
         }
-        cli::Study::Discovery(options) => discovery(options)?,
+        cli::Study::Discovery(options) => match discovery(options)? {
+            Some(page_and_file) => page_and_file,
+            None => return Ok(()),
+        },
         cli::Study::Fits(options) => (random_fits(&options)?, options.out),
         cli::Study::OwnModels(options) => (models_of_users(&options)?, options.out),
         cli::Study::Spoiled(options) => (spoiled_datasets(&options)?, options.out),
@@ -201,15 +204,26 @@ fn cut_section(datasets: u64, threads: usize) -> CutSection {
 /// Executes the runs (diagnoses of simulated datasets) of all selected rows of the discovery study's table. Prints a
 /// line for each run if `--details` is given. Returns the page, and the output file given as `--out`; `None` means that
 /// the page is to be printed.
-fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)> {
+fn discovery(options: cli::Discovery) -> anyhow::Result<Option<(Page, Option<PathBuf>)>> {
     let cli::Discovery {
         runs: options,
         details: with_details,
+        write,
     } = options;
     let mut rows = plan(options.seeds.unwrap_or(100) as usize);
     if let Some(words) = &options.only {
         rows.retain(|row| row.has(words));
         anyhow::ensure!(!rows.is_empty(), "no row has the words `{words}`");
+    }
+    if let Some(folder) = &write {
+        for (row, run) in rows
+            .iter()
+            .flat_map(|row| (0..row.runs).map(move |run| (row, run)))
+        {
+            let name = row.key().replace(' ', "_");
+            Case::of(row, run).write(&folder.join(format!("{name}_{run}")))?;
+        }
+        return Ok(None);
     }
     let runs: usize = rows.iter().map(|row| row.runs).sum();
     eprintln!("{} rows, {runs} runs", rows.len());
@@ -222,7 +236,7 @@ fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)>
     }
     let page = discovery_page(&results)?;
     let page = with_peer_tables(page, options.out.as_deref());
-    Ok((page, options.out))
+    Ok(Some((page, options.out)))
 }
 
 /// Inserts a section with the results of other programs (pysindy, stepwise regression) into the discovery study's page,

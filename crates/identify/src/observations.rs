@@ -207,10 +207,14 @@ impl Observations {
 
     /// Forgets what was measured in the first `samples` samples.
     pub fn forget_first(&mut self, samples: usize) {
-        self.measured[..samples * self.channels].fill(None);
+        let first = &mut self.measured[..samples * self.channels];
+        let seen = first
+            .chunks(self.channels)
+            .filter(|sample| sample.iter().any(Option::is_some));
+        self.samples -= seen.count();
+        first.fill(None);
         let points = self.stand_ins.len().min(samples * self.markers);
         self.stand_ins[..points].fill(None);
-        self.samples -= samples;
     }
 
     /// Drops all but the first `samples` samples, and records the time and the reason of the truncation.

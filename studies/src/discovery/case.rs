@@ -1,5 +1,7 @@
 //! One run of a row: its throws, effect sizes, signs and noise, all derived from the run's own seed.
 
+use std::path::Path;
+
 use dataset::Dataset;
 use model_spec::load::load;
 use rand::{RngExt, SeedableRng};
@@ -98,6 +100,16 @@ impl Case {
             errors.apply(&mut dataset, self.seed);
         }
         dataset
+    }
+
+    /// Writes the flights of the run to a folder, as the program `hyzer` reads them, with a file `truth.txt` of the
+    /// added effects.
+    ///
+    /// # Errors
+    /// If the folder has other content, or cannot be written.
+    pub fn write(&self, folder: &Path) -> std::io::Result<()> {
+        let text = format!("{:#?}\n", self.seeded);
+        dataset::write_with(folder, &self.dataset(), &[("truth.txt".into(), text)])
     }
 
     /// Names of the effects of the built-in effects catalogue that are added to the simulated flights, sorted; effects

@@ -1,7 +1,7 @@
 //! Samples at the beginning and the end of a flight that do not belong to its free motion: of the hand that still holds
 //! the body, of the net or the ground that already stops it. A late cut leaves too few of them to be seen without the
 //! model. A run at an end is tested by the likelihood ratio with and without it; misfit of a wrong model grows smoothly
-//! towards an end, so that the run next to it deviates, too.
+//! towards an end, so that the run next to it deviates, too. Where the misfit is far above the noise, it hides such runs.
 
 use flight::parallel;
 use nalgebra::DVector;
@@ -27,6 +27,9 @@ const DEVIATING: (f64, f64) = (4.5, 3.0);
 /// Maximum number of times that ends are left out and the flights are fitted again.
 const MAX_PASSES: usize = 2;
 
+/// End of the note of a flight whose first samples are left out.
+const HELD: &str = "samples are left out: they deviate from the motion after them, as of a body that is still held";
+
 /// Numbers of samples to be left out at the beginning and at the end of a flight.
 #[derive(Clone, Copy, Default)]
 struct Runs {
@@ -44,7 +47,7 @@ pub fn leave_out_ends(
         return Ok(reweighted);
     }
     for _ in 0..MAX_PASSES {
-        if options.is_past_deadline() {
+        if options.is_past_deadline() || problem.is_misfit(reweighted.noise.overall()) {
             break;
         }
         let iterate = &reweighted.solution.iterate;
@@ -69,10 +72,10 @@ pub fn leave_out_ends(
 fn leave_out(observations: &mut Observations, runs: Runs) {
     if runs.first > 0 {
         observations.forget_first(runs.first);
-        observations.notes.push(format!(
-            "its first {} samples are left out: they deviate from the motion after them, as of a body that is still held",
-            runs.first
-        ));
+        // A later pass leaves out more samples, and counts those of the earlier one.
+        observations.notes.retain(|note| !note.ends_with(HELD));
+        let note = format!("its first {} {HELD}", runs.first);
+        observations.notes.push(note);
     }
     if runs.last > 0 {
         observations.truncate(
