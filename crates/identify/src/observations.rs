@@ -397,17 +397,10 @@ pub fn median_interval<'o>(flights: impl IntoIterator<Item = &'o Observations>) 
 mod tests {
     use super::*;
     use crate::options::FitOptions;
-    use dataset::synthesize::Plan;
 
     /// A simulated flight of a ball.
     fn flight() -> Observations {
-        let model = model_spec::load::load("ball", &[]).unwrap();
-        let plan = Plan {
-            flights: 1,
-            duration: Some(0.4),
-            ..Plan::default()
-        };
-        let dataset = crate::fit::tests::simulated(&model, "serve", &plan);
+        let (model, dataset) = crate::fit::tests::balls(1, 0.4);
         let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
         Observations::new(&problem, &dataset.flights[0]).unwrap()
     }

@@ -102,20 +102,13 @@ fn common_divisor(mut one: f64, mut other: f64, exact: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::tests::simulated;
+    use crate::fit::tests::balls;
     use crate::options::FitOptions;
     use crate::problem::FitProblem;
-    use dataset::synthesize::Plan;
 
     #[test]
     fn what_is_left_is_rounding_where_values_repeat_and_no_noise_is_above_their_step() {
-        let model = model_spec::load::load("ball", &[]).unwrap();
-        let plan = Plan {
-            flights: 1,
-            duration: Some(0.2),
-            ..Plan::default()
-        };
-        let dataset = simulated(&model, "serve", &plan);
+        let (model, dataset) = balls(1, 0.2);
         let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
         let mut channel = problem.channels[0].clone();
         for (rounding, repeats) in [(1.0, true), (1.0, false), (1e-9, true), (1e-9, false)] {

@@ -368,17 +368,10 @@ mod tests {
     use super::*;
     use crate::report::FlightOutcome;
     use crate::vertical::upward;
-    use dataset::synthesize::Plan;
 
     #[test]
     fn a_fit_that_leaves_flights_out_is_worse() {
-        let model = model_spec::load::load("ball", &[]).unwrap();
-        let plan = Plan {
-            flights: 3,
-            duration: Some(0.4),
-            ..Plan::default()
-        };
-        let dataset = crate::fit::tests::simulated(&model, "serve", &plan);
+        let (model, dataset) = crate::fit::tests::balls(3, 0.4);
         let mut found = fit::fit(&model, &dataset, &FitOptions::default()).unwrap();
         let of_all = misfit(&found);
         assert!(

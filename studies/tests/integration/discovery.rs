@@ -1,6 +1,7 @@
 //! Discovery end to end, a small fixed part of it: quiet where nothing is hidden, right where something strong is.
 
-use studies::discovery::{Row, RowResult, plan, run_rows};
+use identify::{FitOptions, fit};
+use studies::discovery::{Case, Row, RowResult, plan, run_rows};
 
 /// Executes `runs` runs (simulated and diagnosed datasets) of each combination of the discovery study's simulation
 /// settings whose key (text of these settings) contains the given words.
@@ -122,4 +123,17 @@ fn what_each_flight_has_for_itself_is_named_only_where_it_predicts() {
         "{}",
         outcome.answer()
     );
+}
+
+#[test]
+fn samples_that_are_left_out_at_the_ends_do_not_lead_the_fit_of_a_wrong_model_astray() {
+    let rows = plan(100);
+    let mut rows = rows.iter();
+    let row = rows.find(|row| row.has("effects wind_by_height strong AR(0.6)"));
+    let dataset = Case::of(row.expect("a row"), 1).dataset();
+    let model = model_spec::load::load("disc", &[]).unwrap();
+    let fitted = fit(&model, &dataset, &FitOptions::default()).unwrap();
+    // The wind changes by 0.4 m/s in a metre of height.
+    let residuals = fitted.noise().overall();
+    assert!((0.01..0.02).contains(&residuals), "{residuals}");
 }

@@ -1,7 +1,7 @@
 //! Samples at the beginning and the end of a flight that do not belong to its free motion: of the hand that still holds
 //! the body, of the net or the ground that already stops it. A late cut leaves too few of them to be seen without the
 //! model. A run at an end is tested by the likelihood ratio with and without it; misfit of a wrong model grows smoothly
-//! towards an end, so that the run next to it deviates, too. Where the misfit is far above the noise, it hides such runs.
+//! towards an end, so that the run next to it deviates, too.
 
 use flight::parallel;
 use nalgebra::DVector;
@@ -11,6 +11,7 @@ use super::residual_cache::exclude_failed;
 use super::reweighting::{Reweighted, reweight};
 use super::state::State;
 use crate::least_squares::{NormalBlock, ScaledCholesky};
+use crate::levels::AT_NOISE;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::each_residual;
@@ -47,7 +48,8 @@ pub fn leave_out_ends(
         return Ok(reweighted);
     }
     for _ in 0..MAX_PASSES {
-        if options.is_past_deadline() || problem.is_misfit(reweighted.noise.overall()) {
+        let noise = reweighted.noise.overall();
+        if options.is_past_deadline() {
             break;
         }
         let iterate = &reweighted.solution.iterate;
@@ -59,12 +61,19 @@ pub fn leave_out_ends(
         if found.iter().all(|runs| runs.first + runs.last == 0) {
             break;
         }
+        let with_ends = state.clone();
         for (observations, runs) in state.flights.iter_mut().zip(found) {
             leave_out(observations, runs);
         }
         let residuals = state.residuals();
         let residuals = exclude_failed(state, residuals)?;
-        reweighted = reweight(state, residuals, None)?;
+        let without = reweight(state, residuals, None)?;
+        // Fewer samples leave more only if the fit of a wrong model ends elsewhere.
+        if without.noise.overall() > AT_NOISE * noise {
+            *state = with_ends;
+            break;
+        }
+        reweighted = without;
     }
     Ok(reweighted)
 }

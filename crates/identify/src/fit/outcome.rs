@@ -435,19 +435,12 @@ pub fn initial_state_report(
 mod tests {
     use super::*;
     use crate::fit::fit;
-    use crate::fit::tests::simulated;
+    use crate::fit::tests::balls;
     use crate::options::FitOptions;
-    use dataset::synthesize::Plan;
 
     #[test]
     fn a_flight_that_the_model_follows_far_worse_than_others_is_noted() {
-        let model = model_spec::load::load("ball", &[]).unwrap();
-        let plan = Plan {
-            flights: 5,
-            duration: Some(0.4),
-            ..Plan::default()
-        };
-        let dataset = simulated(&model, "serve", &plan);
+        let (model, dataset) = balls(5, 0.4);
         let mut flights = fit(&model, &dataset, &FitOptions::default())
             .unwrap()
             .report

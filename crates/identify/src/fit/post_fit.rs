@@ -212,17 +212,10 @@ fn table<T>(samples: usize, channels: &[usize], of: impl Fn(usize, usize) -> T) 
 mod tests {
     use super::*;
     use crate::options::FitOptions;
-    use dataset::synthesize::Plan;
 
     #[test]
     fn residuals_are_summed_in_the_unit_of_their_channel_without_outliers() {
-        let model = model_spec::load::load("ball", &[]).unwrap();
-        let plan = Plan {
-            flights: 1,
-            duration: Some(0.2),
-            ..Plan::default()
-        };
-        let dataset = crate::fit::tests::simulated(&model, "serve", &plan);
+        let (model, dataset) = crate::fit::tests::balls(1, 0.2);
         let mut problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
         problem.channels[0].scale = 0.5;
         let mut observations = Observations::new(&problem, &dataset.flights[0]).unwrap();

@@ -281,22 +281,15 @@ fn like_the_others(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::tests::simulated;
+    use crate::fit::tests::balls;
     use crate::fit::{flights_of, initial_guess, spin_aliases};
     use crate::options::FitOptions;
     use crate::problem::{FitProblem, whitened_tolerance};
     use dataset::Role;
-    use dataset::synthesize::Plan;
 
     /// Begins a fit of four similar simulated flights.
     fn begun<R>(then: impl FnOnce(&Dataset, State<'_>) -> R) -> R {
-        let model = model_spec::load::load("ball", &[]).unwrap();
-        let plan = Plan {
-            flights: 4,
-            duration: Some(0.4),
-            ..Plan::default()
-        };
-        let dataset = simulated(&model, "serve", &plan);
+        let (model, dataset) = balls(4, 0.4);
         let options = FitOptions::default();
         let mut problem = FitProblem::new(&model, &dataset, &options).unwrap();
         let fitted = flights_of(&dataset, Role::Fit);

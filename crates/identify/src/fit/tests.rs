@@ -14,6 +14,18 @@ pub fn simulated(model: &Model, release: &str, plan: &Plan) -> Dataset {
     flights(model, &[release.unwrap()], plan).unwrap().dataset
 }
 
+/// The model of a ball, and flights of it of `duration`, s.
+pub fn balls(flights: usize, duration: f64) -> (Model, Dataset) {
+    let model = model_spec::load::load("ball", &[]).unwrap();
+    let plan = Plan {
+        flights,
+        duration: Some(duration),
+        ..Plan::default()
+    };
+    let dataset = simulated(&model, "serve", &plan);
+    (model, dataset)
+}
+
 /// Copy of a flight in which the velocity of the body jumps by `push`, m/s, at the sample with the index `sample`.
 /// The index may be fractional.
 pub fn pushed(flight: &Flight, sample: f64, push: Vector3<f64>) -> Flight {

@@ -296,18 +296,11 @@ mod tests {
     use super::*;
     use crate::channel::MARKER;
     use crate::fit::fit;
-    use crate::fit::tests::simulated;
-    use dataset::synthesize::Plan;
+    use crate::fit::tests::balls;
 
     #[test]
     fn a_fit_that_leaves_accelerations_does_not_follow_the_recording() {
-        let model = model_spec::load::load("ball", &[]).unwrap();
-        let plan = Plan {
-            flights: 3,
-            duration: Some(0.4),
-            ..Plan::default()
-        };
-        let dataset = simulated(&model, "serve", &plan);
+        let (model, dataset) = balls(3, 0.4);
         let mut found = fit(&model, &dataset, &FitOptions::default()).unwrap();
         assert!(flies_as_recorded(&found));
         // By an acceleration, m/s², in 0.4 s.

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::smooth_motion::{Fitted, fit};
+use super::smooth_motion::{Changed, Smooth};
 use super::{Contact, PathPoint};
 use crate::noise_floor::path_noise;
 use dataset::statistics::median_of;
@@ -127,7 +127,7 @@ impl Path {
         if before < MIN_SIDES.0 || kept.len() - before < MIN_SIDES.1 {
             return None;
         }
-        let changed = fit(&kept, self.noise, about, true)?;
+        let changed = Changed::through(&kept, self.noise, about)?;
         Some(Change {
             index,
             interval: self.points[index].time - self.points[index - 1].time,
@@ -140,10 +140,10 @@ impl Path {
 
     /// Points of a range without outliers, and smooth motion through them. Smooth motion fits far better without an
     /// outlier; a contact affects all later points.
-    fn inliers(&self, range: Range<usize>) -> Option<(Vec<&PathPoint>, Fitted)> {
+    fn inliers(&self, range: Range<usize>) -> Option<(Vec<&PathPoint>, Smooth)> {
         let mut kept: Vec<&PathPoint> = self.points[range].iter().collect();
         let about = kept.last()?.time;
-        let mut fitted = fit(&kept, self.noise, about, false)?;
+        let mut fitted = Smooth::through(&kept, self.noise, about)?;
         for _ in 0..OUTLIERS.0 {
             let removals = kept.iter().map(|point| fitted.removal(point)).enumerate();
             let (worst, removal) = removals.max_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -151,7 +151,7 @@ impl Path {
                 break;
             }
             kept.remove(worst);
-            fitted = fit(&kept, self.noise, about, false)?;
+            fitted = Smooth::through(&kept, self.noise, about)?;
         }
         Some((kept, fitted))
     }
@@ -173,7 +173,7 @@ impl Path {
             })
         });
         let squares = each.filter_map(|(sample, about)| {
-            Some((fit(&kept, self.noise, about, true)?.squares, sample))
+            Some((Changed::through(&kept, self.noise, about)?.squares, sample))
         });
         let best = squares.min_by(|a, b| a.0.total_cmp(&b.0));
         best.map(|(_, sample)| sample)

@@ -1,6 +1,6 @@
 //! Least-squares fits of smooth motion, and of motion whose velocity and acceleration jump, to points of a path.
 
-use nalgebra::{SMatrix, SVector, Vector3};
+use nalgebra::{Cholesky, Const, SMatrix, SVector, Vector3};
 
 use super::PathPoint;
 use crate::levels::ROUNDING;
@@ -9,22 +9,24 @@ use crate::levels::ROUNDING;
 const SCALE: f64 = 0.1;
 /// Prior standard deviation of the fourth derivative, m/s⁴: a lift of several g that decays within half a second.
 const SNAP: f64 = 300.0;
-/// Ratio of the noise variance to the prior variance of a coefficient that stays 0.
-const FIXED: f64 = 1e9;
 /// Minimum of 1 − leverage as a divisor; smaller values are rounding errors.
 const MIN_FREE_PART: f64 = 0.05;
 
-/// Number of functions of time: five powers, and two for the jumps of velocity and acceleration.
-const FUNCTIONS: usize = 7;
-/// Index of the function whose coefficient is the jump of the velocity.
-const JUMP: usize = 5;
+/// Numbers of functions of time: the powers of smooth motion, and all, two more of which are the jumps of velocity and
+/// acceleration.
+const FUNCTIONS: (usize, usize) = (5, 7);
 
-/// Fit of motion to points of a path, of which times count from the time at which the motion may change.
+/// Fit of smooth motion to points of a path.
+pub type Smooth = Fitted<{ FUNCTIONS.0 }>;
+/// Fit of motion whose velocity and acceleration jump.
+pub type Changed = Fitted<{ FUNCTIONS.1 }>;
+
+/// Fit of `N` functions of time to points of a path, of which times count from the time at which the motion may change.
 #[derive(Debug)]
-pub struct Fitted {
+pub struct Fitted<const N: usize> {
     /// Coefficients of the functions of time, m; one column per axis.
-    coefficients: SMatrix<f64, FUNCTIONS, 3>,
-    inverse: SMatrix<f64, FUNCTIONS, FUNCTIONS>,
+    coefficients: SMatrix<f64, N, 3>,
+    factor: Cholesky<f64, Const<N>>,
     origin: Vector3<f64>,
     about: f64,
     /// Sum of squared residuals, m², plus the penalty by the prior of the fourth derivative.
@@ -32,59 +34,60 @@ pub struct Fitted {
     pub freedom: f64,
 }
 
-/// Functions of the time `t`, s, of motion that may change at time 0.
-fn functions(t: f64) -> SVector<f64, FUNCTIONS> {
+/// The first functions of the time `t`, s, of motion that may change at time 0.
+fn functions<const N: usize>(t: f64) -> SVector<f64, N> {
     let (u, since) = (t / SCALE, t.max(0.0) / SCALE);
-    [1.0, u, u * u, u.powi(3), u.powi(4), since, since * since].into()
+    let all = [1.0, u, u * u, u.powi(3), u.powi(4), since, since * since];
+    SVector::from_row_slice(&all[..N])
 }
 
-/// Fits motion to points with noise `noise`, m, per coordinate, which jumps at the time `about`, s, if `jumps`.
-pub fn fit(points: &[&PathPoint], noise: f64, about: f64, jumps: bool) -> Option<Fitted> {
-    let origin = points.first()?.position;
-    let mut normal = SMatrix::<f64, FUNCTIONS, FUNCTIONS>::zeros();
-    let mut right = SMatrix::<f64, FUNCTIONS, 3>::zeros();
-    let mut squares = 0.0;
-    for point in points {
-        let (row, value) = (functions(point.time - about), point.position - origin);
-        normal.ger(1.0, &row, &row, 1.0);
-        right.ger(1.0, &row, &value, 1.0);
-        squares += value.norm_squared();
-    }
-    for index in 0..FUNCTIONS {
-        normal[(index, index)] += ROUNDING * normal[(index, index)];
-        if index >= JUMP && !jumps {
-            normal[(index, index)] += FIXED;
+impl<const N: usize> Fitted<N> {
+    /// Fits motion to points with noise `noise`, m, per coordinate, which may jump at the time `about`, s.
+    pub fn through(points: &[&PathPoint], noise: f64, about: f64) -> Option<Self> {
+        let origin = points.first()?.position;
+        let mut normal = SMatrix::<f64, N, N>::zeros();
+        let mut right = SMatrix::<f64, N, 3>::zeros();
+        let mut squares = 0.0;
+        for point in points {
+            let row = functions::<N>(point.time - about);
+            let value = point.position - origin;
+            normal.ger(1.0, &row, &row, 1.0);
+            right.ger(1.0, &row, &value, 1.0);
+            squares += value.norm_squared();
         }
+        for index in 0..N {
+            normal[(index, index)] += ROUNDING * normal[(index, index)];
+        }
+        let (snap, fourth) = (SNAP * SCALE.powi(4) / 24.0, FUNCTIONS.0 - 1);
+        normal[(fourth, fourth)] += (noise / snap).powi(2);
+        let factor = normal.cholesky()?;
+        let coefficients = factor.solve(&right);
+        Some(Self {
+            squares: (squares - coefficients.dot(&right)).max(0.0),
+            freedom: (3 * points.len().saturating_sub(FUNCTIONS.1)).max(3) as f64,
+            coefficients,
+            factor,
+            origin,
+            about,
+        })
     }
-    let snap = SNAP * SCALE.powi(4) / 24.0;
-    normal[(JUMP - 1, JUMP - 1)] += (noise / snap).powi(2);
-    let inverse = normal.cholesky()?.inverse();
-    let coefficients = inverse * right;
-    Some(Fitted {
-        squares: (squares - coefficients.dot(&right)).max(0.0),
-        freedom: (3 * points.len().saturating_sub(FUNCTIONS)).max(3) as f64,
-        coefficients,
-        inverse,
-        origin,
-        about,
-    })
+
+    /// Decrease of the sum of squares if a fitted point is left out, m².
+    pub fn removal(&self, point: &PathPoint) -> f64 {
+        let row = functions::<N>(point.time - self.about);
+        let residual = point.position - self.origin - self.coefficients.tr_mul(&row);
+        let free_part = 1.0 - row.dot(&self.factor.solve(&row));
+        residual.norm_squared() / free_part.max(MIN_FREE_PART)
+    }
 }
 
-impl Fitted {
+impl Changed {
     /// Velocity just before the change, m/s.
     pub fn velocity(&self) -> Vector3<f64> {
         Vector3::from(self.coefficients.row(1).transpose()) / SCALE
     }
 
     pub fn jump(&self) -> Vector3<f64> {
-        Vector3::from(self.coefficients.row(JUMP).transpose()) / SCALE
-    }
-
-    /// Decrease of the sum of squares if a fitted point is left out, m².
-    pub fn removal(&self, point: &PathPoint) -> f64 {
-        let row = functions(point.time - self.about);
-        let residual = point.position - self.origin - self.coefficients.tr_mul(&row);
-        let free_part = 1.0 - row.dot(&(self.inverse * row));
-        residual.norm_squared() / free_part.max(MIN_FREE_PART)
+        Vector3::from(self.coefficients.row(FUNCTIONS.0).transpose()) / SCALE
     }
 }

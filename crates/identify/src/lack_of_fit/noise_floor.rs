@@ -123,11 +123,18 @@ impl NoiseFloor {
 /// index and the group of each channel. `None` if there are too few residuals.
 fn of_axis(
     flights: &[&FlightSeries],
-    group: (usize, &[usize]),
+    (group, group_of): (usize, &[usize]),
     axis: usize,
     interval: f64,
 ) -> Option<(f64, f64, f64)> {
-    let at = |ar1: f64| likelihood(flights, group, axis, ar1, interval);
+    let flights = flights.iter().map(|flight| {
+        let of_group = flight.series.iter().zip(group_of);
+        let of_group = of_group.filter(|(_, own)| **own == group);
+        let series = Series::together(of_group.map(|(series, _)| &series[axis]));
+        (series, flight.fine)
+    });
+    let flights: Vec<(Vec<Series>, SplineBasis)> = flights.collect();
+    let at = |ar1: f64| likelihood(&flights, axis, ar1, interval);
     let deviance = |ar1: f64| at(ar1).deviance;
     let ratio = (5.0_f64.sqrt() - 1.0) / 2.0;
     let (mut low, mut high) = AR1_RANGE;
@@ -164,11 +171,10 @@ fn of_axis(
     Some((ar1, std_error, sigma))
 }
 
-/// Restricted likelihood of the residuals of one noise group along one axis at the autocorrelation `ar1`; all fields
-/// are 0 if every flight has too few residuals for its splines.
+/// Restricted likelihood of the residuals of one noise group along one axis at the autocorrelation `ar1`, by flight
+/// with its splines; all fields are 0 if every flight has too few residuals for these.
 fn likelihood(
-    flights: &[&FlightSeries],
-    (group, group_of): (usize, &[usize]),
+    flights: &[(Vec<Series>, SplineBasis)],
     axis: usize,
     ar1: f64,
     interval: f64,
@@ -176,15 +182,19 @@ fn likelihood(
     let mut noise = AxesNoise::white(1.0, interval);
     noise.ar1[axis] = ar1;
     let mut total = Likelihood::default();
-    for flight in flights {
+    for (series, fine) in flights {
         let (mut squares, mut degrees_of_freedom, mut ln) = (0.0, 0.0, 0.0);
-        let of_group = flight.series.iter().zip(group_of);
-        for (series, _) in of_group.filter(|(_, own)| **own == group) {
-            let found = series[axis].whitened(&flight.fine, &noise, axis);
-            let on_splines: f64 = found.projected.coordinates.iter().map(|c| c * c).sum();
-            squares += (found.products[0] - on_splines).max(0.0);
-            degrees_of_freedom += found.samples as f64 - found.projected.rank as f64;
-            ln += found.ln_variances + found.projected.ln_determinant;
+        for series in series {
+            let found = series.whitened(fine, &noise, axis);
+            let coordinates = &found.projected.coordinates;
+            let count = series.count as f64;
+            for side in 0..series.count {
+                let of_side = coordinates[side..].iter().step_by(series.count);
+                let on_splines: f64 = of_side.map(|c| c * c).sum();
+                squares += (found.products[side * (series.count + 1)] - on_splines).max(0.0);
+            }
+            degrees_of_freedom += count * (found.samples as f64 - found.projected.rank as f64);
+            ln += count * (found.ln_variances + found.projected.ln_determinant);
         }
         if degrees_of_freedom > 0.0 {
             total.deviance += degrees_of_freedom * squares.max(1e-300).ln() + ln;
@@ -251,8 +261,9 @@ mod tests {
         let mut flights = flights(0.6);
         flights.truncate(2);
         let of = |flights: &[FlightSeries]| {
-            let flights: Vec<&FlightSeries> = flights.iter().collect();
-            likelihood(&flights, (0, &[0]), 0, 0.6, 1.0 / 120.0)
+            let flights = flights.iter();
+            let flights = flights.map(|own| (vec![own.series[0][0].clone()], own.fine));
+            likelihood(&flights.collect::<Vec<_>>(), 0, 0.6, 1.0 / 120.0)
         };
         let with = of(&flights);
         for series in flights[1].series.iter_mut().flatten() {

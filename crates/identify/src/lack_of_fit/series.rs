@@ -47,12 +47,20 @@ impl Series {
         let mut row = [0.0; BANDWIDTH + 1];
         let mut sides = vec![0.0; count];
         let mut before: Option<(f64, usize, [f64; SUPPORT], &[f64])> = None;
+        let innovation = |gap: Option<f64>| {
+            let (phi, sigma) = noise.innovation(axis, gap);
+            (phi, sigma, 2.0 * (sigma / noise.sigma[axis]).ln())
+        };
+        let after_one_interval = innovation(Some(noise.interval));
         for (&time, own) in self.times.iter().zip(self.sides.chunks_exact(count)) {
             let (first, values) = basis.at(time);
             // After a gap of many knot intervals, the noise is independent of the noise before the gap.
             let last = before.filter(|(_, earlier, ..)| first - earlier <= BANDWIDTH + 1 - SUPPORT);
-            let (phi, sigma) = noise.innovation(axis, last.map(|(earlier, ..)| time - earlier));
-            ln_variances += 2.0 * (sigma / noise.sigma[axis]).ln();
+            let (phi, sigma, ln_variance) = match last.map(|(earlier, ..)| time - earlier) {
+                Some(gap) if noise.is_one_interval(gap) => after_one_interval,
+                gap => innovation(gap),
+            };
+            ln_variances += ln_variance;
             let start = last.map_or(first, |(_, place, ..)| place);
             row.fill(0.0);
             sides.copy_from_slice(own);
@@ -70,11 +78,16 @@ impl Series {
             sides.iter_mut().for_each(|side| *side /= sigma);
             gram.add(start, &row[..first - start + SUPPORT], &sides);
             for (i, &value) in sides.iter().enumerate() {
-                for (product, other) in products[i * count..].iter_mut().zip(&sides) {
+                for (product, other) in products[i * count..].iter_mut().zip(&sides[..=i]) {
                     *product += value * other;
                 }
             }
             before = Some((time, first, values, own));
+        }
+        for i in 0..count {
+            for k in 0..i {
+                products[k * count + i] = products[i * count + k];
+            }
         }
         WhitenedProducts {
             products,
@@ -82,6 +95,29 @@ impl Series {
             ln_variances,
             samples: self.times.len(),
         }
+    }
+
+    /// Residuals of several series, side by side for those with the same times.
+    pub fn together<'s>(each: impl Iterator<Item = &'s Series>) -> Vec<Series> {
+        let mut found: Vec<(&Vec<f64>, Vec<&Series>)> = Vec::new();
+        for own in each {
+            match found.iter_mut().find(|(times, _)| **times == own.times) {
+                Some((_, same)) => same.push(own),
+                None => found.push((&own.times, vec![own])),
+            }
+        }
+        let joined = found.into_iter().map(|(times, same)| {
+            let residuals = (0..times.len()).flat_map(|sample| {
+                let residual = move |own: &&Series| own.sides[sample * own.count];
+                same.iter().map(residual).collect::<Vec<f64>>()
+            });
+            Series {
+                sides: residuals.collect(),
+                times: times.clone(),
+                count: same.len(),
+            }
+        });
+        joined.collect()
     }
 
     /// Copy of the series with the residuals only, without derivatives.

@@ -121,25 +121,20 @@ impl Projection {
 
     fn add(&mut self, series: &Series, basis: &SplineBasis, noise: &AxesNoise, axis: usize) {
         let found = series.whitened(basis, noise, axis);
-        let count = series.count;
-        self.total += found.products[0];
+        let (count, locals) = (series.count, self.gradient.len());
         self.rank += found.projected.rank;
         self.samples += found.samples;
-        for i in 1..count {
-            self.gradient[i - 1] += found.products[i];
-            for j in 1..count {
-                self.local[(i - 1, j - 1)] += found.products[i * count + j];
-            }
-        }
-        for row in found.projected.coordinates.chunks_exact(count) {
-            self.squares += row[0] * row[0];
-            for i in 1..count {
-                self.left_gradient[i - 1] += row[0] * row[i];
-                for j in 1..count {
-                    self.left[(i - 1, j - 1)] += row[i] * row[j];
-                }
-            }
-        }
+        let whole = DMatrix::from_row_slice(count, count, &found.products);
+        self.total += whole[(0, 0)];
+        self.gradient += whole.view((1, 0), (locals, 1));
+        self.local += whole.view((1, 1), (locals, locals));
+        // One column for each column of the basis.
+        let coordinates = found.projected.coordinates;
+        let on_splines = DMatrix::from_vec(count, coordinates.len() / count, coordinates);
+        let on_splines = &on_splines * on_splines.transpose();
+        self.squares += on_splines[(0, 0)];
+        self.left_gradient += on_splines.view((1, 0), (locals, 1));
+        self.left += on_splines.view((1, 1), (locals, locals));
     }
 }
 

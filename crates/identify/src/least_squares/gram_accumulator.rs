@@ -3,7 +3,7 @@
 use lanes::{Kernel, Lanes};
 use nalgebra::{DMatrix, DVector};
 
-use crate::least_squares::{NormalBlock, TestedParameters};
+use crate::least_squares::NormalBlock;
 
 /// Number of Jacobian rows that are summed in one batch; few enough to stay in the first-level cache.
 const BATCH: usize = 64;
@@ -12,20 +12,17 @@ const BATCH: usize = 64;
 const PADDING: usize = 8;
 
 /// Accumulates the Gram matrix of the Jacobian rows of one flight: derivatives by the local and global parameters, the
-/// residual, derivatives by tested parameters, and zeros as padding.
+/// residual, and zeros as padding.
 pub struct GramAccumulator {
     /// Columns of the Jacobian rows that contain the derivatives with respect to the local parameters.
     local: Vec<usize>,
     /// Columns of the Jacobian rows that contain the derivatives with respect to the global parameters.
     global: Vec<usize>,
-    tested: usize,
     width: usize,
     /// Jacobian rows that are not summed yet, concatenated.
     batch: Vec<f64>,
     filled: usize,
     sums: Vec<f64>,
-    /// Sums of squares of the derivatives by the tested parameters.
-    information: DVector<f64>,
     /// Sum of the terms that robust losses add to the sum of the squared weighted residuals.
     extra: f64,
     count: usize,
@@ -34,24 +31,16 @@ pub struct GramAccumulator {
 impl GramAccumulator {
     /// Creates an accumulator; `local` and `global` are the columns of the parameters, together 0, 1, 2, ….
     pub fn new(local: Vec<usize>, global: Vec<usize>) -> Self {
-        Self::with_tested(local, global, 0)
-    }
-
-    /// As [`new`](Self::new), for rows in which the derivatives by `tested` parameters follow the residual. Their products
-    /// with each other are not summed.
-    pub fn with_tested(local: Vec<usize>, global: Vec<usize>, tested: usize) -> Self {
         let unknowns = local.len() + global.len();
-        let width = Self::width(unknowns + tested);
+        let width = Self::width(unknowns);
         let summed = (unknowns + 1).next_multiple_of(TILE.0);
         Self {
             local,
             global,
-            tested,
             width,
             batch: vec![0.0; BATCH * width],
             filled: 0,
             sums: vec![0.0; width * summed],
-            information: DVector::zeros(tested),
             extra: 0.0,
             count: 0,
         }
@@ -89,37 +78,12 @@ impl GramAccumulator {
     }
 
     fn sum(&mut self) {
-        let rows = &self.batch[..self.filled];
         lanes::dispatch(AddSquares {
-            rows,
+            rows: &self.batch[..self.filled],
             width: self.width,
             sums: &mut self.sums,
         });
-        if self.tested > 0 {
-            let first = self.residual() + 1;
-            for row in rows.chunks_exact(self.width) {
-                let tested = row[first..][..self.tested].iter();
-                for (sum, value) in self.information.iter_mut().zip(tested) {
-                    *sum += value * value;
-                }
-            }
-        }
         self.filled = 0;
-    }
-
-    /// Returns the normal equations summed over all Jacobian rows, and the products of the tested parameters.
-    pub fn block_and_tested(mut self) -> (NormalBlock, TestedParameters) {
-        self.sum();
-        let (first, residual) = (self.residual() + 1, self.residual());
-        let at = |row: usize, test: usize| self.sums[row * self.width + first + test];
-        let by = |rows: &[usize]| DMatrix::from_fn(rows.len(), self.tested, |i, k| at(rows[i], k));
-        let tested = TestedParameters {
-            by_local: by(&self.local),
-            by_global: by(&self.global),
-            score: DVector::from_fn(self.tested, |k, _| at(residual, k)),
-            information: std::mem::replace(&mut self.information, DVector::zeros(0)),
-        };
-        (self.block(), tested)
     }
 
     /// Returns the normal equations summed over all Jacobian rows.
@@ -163,8 +127,7 @@ impl Kernel for AddInnovation<'_> {
     }
 }
 
-/// SIMD kernel that adds the first rows of the upper triangle of `rowsᵀ rows` to `sums`, and some unused entries below
-/// it.
+/// SIMD kernel that adds the rows of the upper triangle of `rowsᵀ rows` that `sums` has, and some unused entries below it.
 struct AddSquares<'a> {
     rows: &'a [f64],
     width: usize,
@@ -254,40 +217,6 @@ mod tests {
         assert!((&block.local_gradient - &plain.local_gradient).amax() < 1e-11);
         assert!((&block.global_gradient - &plain.global_gradient).amax() < 1e-11);
         assert!((block.squares - plain.squares - 150.0 * 0.25).abs() < 1e-10);
-    }
-
-    #[test]
-    fn products_of_tested_parameters_are_those_of_further_global_ones() {
-        let (local, global, tested) = (3, 2, 21);
-        let value = |k: usize, i: usize| ((k * 31 + i * 17) as f64 * 0.37).sin();
-        let unknowns = local + global;
-        let mut rows = GramAccumulator::with_tested((0..3).collect(), (3..5).collect(), tested);
-        let all = (local..unknowns + tested).collect();
-        let mut whole = GramAccumulator::new((0..3).collect(), all);
-        for k in 0..150 {
-            let mut row = vec![0.0; rows.width];
-            let mut other = vec![0.0; whole.width];
-            for (i, own) in row.iter_mut().enumerate().take(unknowns + tested + 1) {
-                *own = value(k, i);
-                let place = match i {
-                    i if i == unknowns => unknowns + tested,
-                    i if i > unknowns => i - 1,
-                    i => i,
-                };
-                other[place] = *own;
-            }
-            rows.add(&row, None, 2.0, 0.0);
-            whole.add(&other, None, 2.0, 0.0);
-        }
-        let ((block, found), expected) = (rows.block_and_tested(), whole.block());
-        assert!((&block.local - &expected.local).amax() < 1e-10);
-        assert!((&block.global - expected.global.view((0, 0), (global, global))).amax() < 1e-10);
-        assert!((&found.by_local - expected.cross.columns(global, tested)).amax() < 1e-10);
-        let by_global = expected.global.view((0, global), (global, tested));
-        assert!((&found.by_global - by_global).amax() < 1e-10);
-        assert!((&found.score - expected.global_gradient.rows(global, tested)).amax() < 1e-10);
-        let information = expected.global.diagonal();
-        assert!((&found.information - information.rows(global, tested)).amax() < 1e-10);
     }
 
     #[test]

@@ -4,6 +4,7 @@ use model_spec::layout::ParamId;
 use nalgebra::{DMatrix, DVector};
 use ode::DifferentiableRhs;
 
+use super::term_products::TermProducts;
 use super::weighted_rows::{self, WeightedRows};
 use super::{JacobianColumns, Loss, TrajectoryPass};
 use crate::error::FlightError;
@@ -12,7 +13,6 @@ use crate::least_squares::{GramAccumulator, NormalBlock, TestedParameters};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use lanes::{Kernel, Lanes};
 use model_spec::layout::StateId;
 
 /// Relative error of a term as a combination of the states' derivatives by the initial state, above which these do not
@@ -78,6 +78,10 @@ pub(crate) fn linearise_with_terms(
     noise: &NoiseModel,
     (targets, weights): (&[Target], &DMatrix<f64>),
 ) -> Result<Option<(NormalBlock, TestedParameters)>, FlightError> {
+    let locals = observations.manifold.dimension();
+    if locals == 0 {
+        return Ok(None);
+    }
     let conditions = problem.body.bind(observations.parameters(problem, global));
     let parameters: Vec<ParamId> = problem.globals.iter().map(|global| global.param).collect();
     let mut motion = conditions.rhs();
@@ -98,71 +102,55 @@ pub(crate) fn linearise_with_terms(
                 channel: point.channel,
                 sample: point.sample,
                 residual: point.residual,
-                derivatives: point.rows.clone(),
+                derivatives: point.rows.each_ref().map(|row| padded(row)),
             });
         })?;
     let trajectory = trajectory.unwrap_or_default();
-    let locals = observations.manifold.dimension();
-    let unknowns = locals + parameters.len();
-    let mut terms = Terms::new(problem, &motion, (targets, weights), locals);
-    let tested = targets.len() * weights.ncols();
-    let accumulator =
-        GramAccumulator::with_tested((0..locals).collect(), (locals..unknowns).collect(), tested);
-    let mut sum = WeightedRows::new(accumulator, &problem.channels, Loss::Whitened(noise));
-    let mut with_terms = [0; 3].map(|_| vec![0.0; GramAccumulator::width(unknowns + tested)]);
+    let mut terms = Terms::new(problem, &motion, targets);
+    let terms_of = (targets.len(), weights.ncols());
+    let sum = TermProducts::new((locals, parameters.len()), terms_of);
+    let mut sum = WeightedRows::new(sum, &problem.channels, Loss::Whitened(noise));
     let size = trajectory.len() / observations.times.len().max(1);
-    let mut rows = rows.iter().peekable();
+    let mut rows = rows.into_iter().peekable();
     for (sample, &time) in observations.times.iter().enumerate() {
         let augmented = &trajectory[sample * size..][..size];
         let by_local = columns.states_by_local(layout, augmented);
         let state = layout.state(augmented);
         let tangent = observations.manifold.tangent(state);
-        if !terms.advance(&mut motion, (sample, time, state), &by_local, &tangent) {
+        let Some(added) = terms.added(&mut motion, (time, state), &by_local, &tangent) else {
             return Ok(None);
-        }
-        while let Some(row) = rows.next_if(|row| row.sample == sample) {
-            for (to, from) in with_terms.iter_mut().zip(&row.derivatives) {
-                to[..unknowns].copy_from_slice(from);
-                lanes::dispatch(Combine {
-                    factors: &from[..locals],
-                    rows: &terms.combination,
-                    width: terms.width,
-                    to: &mut terms.by_terms,
-                });
-                to[unknowns + 1..][..tested].copy_from_slice(&terms.by_terms[..tested]);
-            }
-            sum.add(row.channel, time, &mut with_terms, row.residual);
+        };
+        let functions = weights.row(sample);
+        sum.accumulator
+            .begin(time, &added, functions.iter().copied());
+        while let Some(mut row) = rows.next_if(|row| row.sample == sample) {
+            sum.add(row.channel, time, &mut row.derivatives, row.residual);
         }
     }
-    let (mut block, tested) = sum.accumulator.block_and_tested();
+    let (mut block, tested) = sum.accumulator.finish();
     weighted_rows::add_priors(problem, observations, local, &mut block);
     Ok(Some((block, tested)))
 }
 
-/// The combinations c(t) of the derivatives by the initial state that are the terms' effects on the state.
-struct Terms<'t> {
-    weights: &'t DMatrix<f64>,
+/// A row as the sums need it.
+fn padded(row: &[f64]) -> Vec<f64> {
+    let mut padded = vec![0.0; GramAccumulator::width(row.len())];
+    padded[..row.len()].copy_from_slice(row);
+    padded
+}
+
+/// The tested terms as changes of the rates.
+struct Terms {
     targets: usize,
     /// For each entry of ∂f/∂p: row, index in the pattern, and target.
     of_coefficients: Vec<(usize, usize, usize)>,
     /// State and target.
     of_rates: Vec<(usize, usize)>,
-    /// L⁻¹ g (local parameters × targets) at the last sample, and its time, s.
-    before: Option<(DMatrix<f64>, f64)>,
-    /// c, one padded row of terms for each local parameter.
-    combination: Vec<f64>,
-    width: usize,
-    by_terms: Vec<f64>,
     derivatives: [Vec<f64>; 3],
 }
 
-impl<'t> Terms<'t> {
-    fn new(
-        problem: &FitProblem,
-        motion: &dyn DifferentiableRhs,
-        (targets, weights): (&[Target], &'t DMatrix<f64>),
-        locals: usize,
-    ) -> Self {
+impl Terms {
+    fn new(problem: &FitProblem, motion: &dyn DifferentiableRhs, targets: &[Target]) -> Self {
         let pattern = motion.parameter_jacobian_pattern();
         let (mut of_coefficients, mut of_rates) = (Vec::new(), Vec::new());
         for (place, target) in targets.iter().enumerate() {
@@ -176,33 +164,27 @@ impl<'t> Terms<'t> {
                 }
             }
         }
-        let width = GramAccumulator::width(targets.len() * weights.ncols());
         let derivatives = [
             motion.states(),
             motion.jacobian_pattern().len(),
             pattern.len(),
         ];
         Self {
-            weights,
             targets: targets.len(),
             of_coefficients,
             of_rates,
-            before: None,
-            combination: vec![0.0; locals * width],
-            width,
-            by_terms: vec![0.0; width],
             derivatives: derivatives.map(|length| vec![0.0; length]),
         }
     }
 
-    /// Integrates up to the next sample, with L = `by_local` there; `false` if L does not carry the terms.
-    fn advance(
+    /// L⁻¹ g at a state (local parameters × targets), with L = `by_local`; `None` if L does not carry the terms.
+    fn added(
         &mut self,
         motion: &mut dyn DifferentiableRhs,
-        (sample, time, state): (usize, f64, &[f64]),
+        (time, state): (f64, &[f64]),
         by_local: &DMatrix<f64>,
         tangent: &[(usize, usize, f64)],
-    ) -> bool {
+    ) -> Option<DMatrix<f64>> {
         let [rates, by_state, by_parameter] = &mut self.derivatives;
         motion.derivative_with_jacobians(time, state, rates, by_state, by_parameter);
         let mut added = DMatrix::zeros(by_local.nrows(), self.targets);
@@ -212,28 +194,7 @@ impl<'t> Terms<'t> {
         for &(state, target) in &self.of_rates {
             added[(state, target)] = 1.0;
         }
-        let Some(now) = carried(by_local, &added, tangent) else {
-            return false;
-        };
-        let functions = self.weights.ncols();
-        if let Some((before, from)) = &self.before {
-            let half = 0.5 * (time - from);
-            for (local, row) in self.combination.chunks_exact_mut(self.width).enumerate() {
-                for (target, places) in row
-                    .chunks_exact_mut(functions)
-                    .take(self.targets)
-                    .enumerate()
-                {
-                    let [earlier, later] = [before, &now].map(|own| half * own[(local, target)]);
-                    for (k, place) in places.iter_mut().enumerate() {
-                        *place += earlier * self.weights[(sample - 1, k)]
-                            + later * self.weights[(sample, k)];
-                    }
-                }
-            }
-        }
-        self.before = Some((now, time));
-        true
+        carried(by_local, &added, tangent)
     }
 }
 
@@ -264,30 +225,6 @@ fn carried(
     let is_carried =
         (0..added.ncols()).all(|k| left.column(k).norm() <= SPANNED * added.column(k).norm());
     is_carried.then_some(found)
-}
-
-/// SIMD kernel: `to` is the sum of `rows`, each times its factor.
-struct Combine<'a> {
-    factors: &'a [f64],
-    rows: &'a [f64],
-    width: usize,
-    to: &'a mut [f64],
-}
-
-impl Kernel for Combine<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<T: Lanes>(self) {
-        self.to.fill(0.0);
-        for (&factor, row) in self.factors.iter().zip(self.rows.chunks_exact(self.width)) {
-            let factor = T::splat(factor);
-            let to = self.to.chunks_exact_mut(T::WIDTH);
-            for (to, from) in to.zip(row.chunks_exact(T::WIDTH)) {
-                factor.mul_add(T::load(from), T::load(to)).store(to);
-            }
-        }
-    }
 }
 
 #[cfg(test)]

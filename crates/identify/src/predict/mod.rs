@@ -6,6 +6,8 @@ mod jacobian_columns;
 mod observed_point;
 mod squares;
 mod summary_pass;
+mod term_products;
+mod term_sums;
 mod trajectory_pass;
 mod weighted_rows;
 

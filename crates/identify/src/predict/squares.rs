@@ -59,21 +59,14 @@ pub fn squares(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::tests::simulated;
+    use crate::fit::tests::balls;
     use crate::initial_state::initial_guesses;
     use crate::noise::{AxesNoise, NoiseModel};
     use crate::options::FitOptions;
-    use dataset::synthesize::Plan;
 
     #[test]
     fn they_are_those_of_the_normal_equations() {
-        let model = model_spec::load::load("ball", &[]).unwrap();
-        let plan = Plan {
-            flights: 1,
-            duration: Some(0.4),
-            ..Plan::default()
-        };
-        let dataset = simulated(&model, "serve", &plan);
+        let (model, dataset) = balls(1, 0.4);
         let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
         let mut observations = Observations::new(&problem, &dataset.flights[0]).unwrap();
         observations.outlier[3] = true;

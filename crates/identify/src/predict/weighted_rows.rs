@@ -9,10 +9,28 @@ use crate::noise::{AxesNoise, HUBER_LIMIT};
 use crate::observations::Observations;
 use crate::problem::{FitProblem, wide_deviation};
 
+/// What weighted rows are added to.
+pub(super) trait RowSum {
+    /// Column index of the residual in a row.
+    fn residual(&self) -> usize;
+    /// As [`GramAccumulator::add`].
+    fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64);
+}
+
+impl RowSum for GramAccumulator {
+    fn residual(&self) -> usize {
+        self.residual()
+    }
+
+    fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
+        self.add(row, before, scale, extra);
+    }
+}
+
 /// Accumulates normal equations from rows that it weights by the loss; the previous rows serve AR(1) innovations.
-pub(super) struct WeightedRows<'a> {
-    /// Accumulator to which the weighted rows are added, and which gives the normal equations.
-    pub accumulator: GramAccumulator,
+pub(super) struct WeightedRows<'a, S = GramAccumulator> {
+    /// What the weighted rows are added to, and which gives the normal equations.
+    pub accumulator: S,
     loss: Loss<'a>,
     channels: &'a [Channel],
     /// Autocorrelation over one interval, and weight of the innovation, 1/m, by channel and axis.
@@ -21,8 +39,8 @@ pub(super) struct WeightedRows<'a> {
     previous: Vec<Option<(f64, [Vec<f64>; 3])>>,
 }
 
-impl<'a> WeightedRows<'a> {
-    pub fn new(accumulator: GramAccumulator, channels: &'a [Channel], loss: Loss<'a>) -> Self {
+impl<'a, S: RowSum> WeightedRows<'a, S> {
+    pub fn new(accumulator: S, channels: &'a [Channel], loss: Loss<'a>) -> Self {
         let one_interval = match loss {
             Loss::Huber(_) => Vec::new(),
             Loss::Whitened(noise) => (0..channels.len())

@@ -31,13 +31,15 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, flight: usize) -> Option<D
 /// Fault of a flight that equals an earlier one; simulations without noise may be equal.
 fn copy(problem: &FitProblem, dataset: &Dataset, flight: usize) -> Option<DataFault> {
     let this = &dataset.flights[flight];
-    let count = this.times.len();
-    if count < COPY_SAMPLES || !is_noisy(&pose_points(problem, this)) {
+    if this.times.len() < COPY_SAMPLES {
         return None;
     }
     let mut earlier = dataset.flights[..flight].iter();
     let original = earlier
         .find(|other| other.positions == this.positions && other.readings == this.readings)?;
+    if !is_noisy(&pose_points(problem, this)) {
+        return None;
+    }
     Some(DataFault::new(
         this,
         FaultKind::Other,
