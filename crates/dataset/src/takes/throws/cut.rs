@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::path::Path;
+use super::track::Track;
 use super::windows::half;
 
 /// Samples outside the flight in the fit of a change at its beginning or end: their time span, s, and minimum number.
@@ -73,29 +74,29 @@ pub(super) struct FlightEnd<'p> {
     near: Range<usize>,
 }
 
+/// Number of samples outside the flight in the fit of a change at its beginning or end.
+pub(super) fn beyond(track: &Track) -> usize {
+    ((BEYOND.0 / track.step).round() as usize).max(BEYOND.1)
+}
+
 impl<'p> FlightEnd<'p> {
     pub fn new(path: &'p Path<'p>, last: usize, early: bool) -> Self {
-        let beyond = ((BEYOND.0 / path.track.step).round() as usize).max(BEYOND.1);
-        let within = 2 * half(path.track) + 2;
+        let (beyond, within) = (beyond(path.track), 2 * half(path.track) + 2);
         let count = path.points.len();
-        // Deviations are detected with a delay, so the change lies inside of them.
-        let (samples, near) = if early {
-            (
-                last.saturating_sub(beyond)..(last + within).min(count),
-                last.saturating_sub(1)..(last + beyond + 1).min(count),
-            )
-        } else {
-            (
-                last.saturating_sub(within)..(last + beyond + 1).min(count),
-                last.saturating_sub(beyond)..(last + 2).min(count),
-            )
+        let around = |before: usize, after: usize| {
+            last.saturating_sub(before)..(last + after + 1).min(count)
         };
         Self {
             path,
             last,
             early,
-            samples,
-            near,
+            samples: match early {
+                true => around(beyond, within - 1),
+                false => around(within, beyond),
+            },
+            // A change is detected late, by what deviates after it, or early: a sample that a wobble keeps from its
+            // prediction is examined with those beyond it.
+            near: around(beyond, beyond),
         }
     }
 
@@ -192,7 +193,8 @@ impl<'p> FlightEnd<'p> {
 pub(super) enum Stop {
     Data,
     /// The body is not seen between the samples `from` and `to`, neighbours in the track. The gap is longer than
-    /// [`ThrowOptions::longest_gap`], or the samples after it do not continue the flight.
+    /// [`ThrowOptions::longest_gap`], or the samples after it do not continue the flight and it is longer than the
+    /// samples among which a change of motion is located.
     Gap {
         from: usize,
         to: usize,

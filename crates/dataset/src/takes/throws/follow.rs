@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::cut::{FlightEnd, Stop};
+use super::cut::{FlightEnd, Stop, beyond};
 use super::path::Path;
 use super::windows::half;
 use super::{FINEST, ThrowOptions};
@@ -40,6 +40,8 @@ impl Path<'_> {
     ) -> Stop {
         let times = &self.track.times;
         let length = inside.len();
+        // Across a shorter gap the time of a change is located; half an interval allows for rounded times.
+        let located = (beyond(self.track) as f64 + 0.5) * self.track.step;
         let step = |i: usize, by: usize| match forward {
             true => Some(i + by).filter(|&next| next < times.len()),
             false => i.checked_sub(by),
@@ -67,7 +69,7 @@ impl Path<'_> {
             let good = following.find(|&index| self.is_predicted(recent, index, noise));
             match good.or_else(|| (!end().is_break()).then_some(next)) {
                 Some(good) => inside.push(good),
-                None if gap > 1.5 * self.track.step => return stopped_by_gap,
+                None if gap > located => return stopped_by_gap,
                 None => return Stop::Deviation { last },
             }
         }

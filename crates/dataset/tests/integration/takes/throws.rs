@@ -2,11 +2,12 @@
 
 use super::support::read;
 use super::support::thrown::{End, Made, recording};
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use dataset::Marker;
 use dataset::takes::{
-    Axis, Cause, ImportOptions, ImportedTake, LengthUnit, ReadOptions, Take, ThrowOptions,
+    Axis, Cause, ImportOptions, ImportedTake, LengthUnit, ReadOptions, Take, Throw, ThrowOptions,
     find_throws,
 };
 
@@ -191,6 +192,75 @@ fn a_knock_ends_a_flight() {
     let end = found.throws.first().expect("a throw").end;
     assert!((97..=103).contains(&end.sample), "{end:?}");
     assert_eq!(end.cause, Cause::Disturbed);
+}
+
+/// Recording of a body that a hand pushes and a net stops, with `aside(t)` across its way (m), without the samples of
+/// `lost`: its throw as found, and the true samples of its flight.
+fn pushed_and_stopped(
+    rate: f64,
+    aside: impl Fn(f64) -> f64,
+    lost: &[usize],
+) -> (Throw, RangeInclusive<usize>) {
+    let (push, speed, release, end) = (120.0, 12.0, 0.4, 0.9);
+    let along = |t: f64| match t {
+        t if t < release - speed / push => 0.0,
+        t if t < release => 0.5 * push * (t - release + speed / push).powi(2),
+        t if t < end => 0.5 * speed * speed / push + speed * (t - release),
+        t => {
+            let since = (t - end).min(speed / push);
+            0.5 * speed * speed / push + speed * (end - release + since)
+                - 0.5 * push * since * since
+        }
+    };
+    let fallen = |t: f64| 4.905 * (t - release).max(0.0).powi(2);
+    let mut text = "t_s,m_x_m,m_y_m,m_z_m\n".to_owned();
+    let count = (1.2 * rate) as usize;
+    for i in 0..count {
+        let t = i as f64 / rate;
+        let noise =
+            0.0005 * (2.0 * (43758.5453 * (i as f64 * 12.9898).sin()).rem_euclid(1.0) - 1.0);
+        text += &match lost.contains(&i) {
+            true => format!("{t},,,\n"),
+            false => format!(
+                "{t},{},{},{}\n",
+                along(t) + noise,
+                aside(t) - noise,
+                2.0 - fallen(t) + noise
+            ),
+        };
+    }
+    let take = read(text.as_bytes(), &ReadOptions::default()).expect("a take");
+    let found = find_throws(&take, &["m"], &ThrowOptions::default());
+    let [throw] = &found.throws[..] else {
+        panic!("one flight, not {found:?}");
+    };
+    let first = (release * rate).ceil() as usize;
+    (throw.clone(), first..=(end * rate).floor() as usize)
+}
+
+/// A sample next to the change that is not seen says nothing about why the flight ends.
+#[test]
+fn a_change_of_motion_is_located_across_a_short_gap() {
+    let (_, flight) = pushed_and_stopped(200.0, |_| 0.0, &[]);
+    for after in 0..5 {
+        let lost = [flight.start() - 1 - after, flight.end() + 1 + after];
+        let (throw, flight) = pushed_and_stopped(200.0, |_| 0.0, &lost);
+        assert!(flight.contains(&throw.release.sample), "{throw:?}");
+        assert!(flight.contains(&throw.end.sample), "{throw:?}");
+    }
+}
+
+/// Samples that deviate in flight too are examined with what lies beyond them: the net is seen before it is reached.
+#[test]
+fn a_body_that_wobbles_is_cut_where_it_is_released_and_stopped() {
+    for rate in [150.0, 200.0, 250.0] {
+        let (throw, flight) = pushed_and_stopped(rate, |t| 0.008 * (40.0 * t).sin(), &[]);
+        let off = throw.end.sample.abs_diff(*flight.end());
+        assert!(off <= 3, "{flight:?} at {rate} Hz: {throw:?}");
+    }
+    let (throw, flight) = pushed_and_stopped(200.0, |t| 0.0015 * (100.0 * t).sin(), &[]);
+    let off = throw.release.sample.abs_diff(*flight.start());
+    assert!(off <= 3, "{flight:?}: {throw:?}");
 }
 
 #[test]
