@@ -9,7 +9,7 @@ use crate::least_squares::NormalBlock;
 const BATCH: usize = 64;
 
 /// Jacobian rows are padded to a multiple of this length, the number of lanes of the widest SIMD vectors.
-const PADDING: usize = 8;
+pub const LANES: usize = 8;
 
 /// Accumulates the Gram matrix of the Jacobian rows of one flight: derivatives by the local and global parameters, the
 /// residual, and zeros as padding.
@@ -48,7 +48,7 @@ impl GramAccumulator {
 
     /// Length of a padded Jacobian row with `columns` derivatives.
     pub fn width(columns: usize) -> usize {
-        (columns + 1).next_multiple_of(PADDING)
+        (columns + 1).next_multiple_of(LANES)
     }
 
     /// Column index of the residual in a Jacobian row.
@@ -57,8 +57,15 @@ impl GramAccumulator {
     }
 
     /// Adds `scale * (row − phi * previous)`, where `before` is (phi, previous) or `None`, and `extra`, a term of a
-    /// robust loss.
-    pub fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
+    /// robust loss. Returns the row that was added.
+    pub fn add(
+        &mut self,
+        row: &[f64],
+        before: Option<(f64, &[f64])>,
+        scale: f64,
+        extra: f64,
+    ) -> &[f64] {
+        let place = self.filled;
         let to = &mut self.batch[self.filled..][..self.width];
         let row = &row[..self.width];
         let (kept, before) = before.unwrap_or((0.0, row));
@@ -75,6 +82,7 @@ impl GramAccumulator {
         if self.filled == self.batch.len() {
             self.sum();
         }
+        &self.batch[place..][..self.width]
     }
 
     fn sum(&mut self) {
@@ -142,7 +150,7 @@ impl Kernel for AddSquares<'_> {
 
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        const { assert!(PADDING.is_multiple_of(T::WIDTH)) };
+        const { assert!(LANES.is_multiple_of(T::WIDTH)) };
         let AddSquares { rows, width, sums } = self;
         for first in (0..sums.len() / width).step_by(TILE.0) {
             // The first vector is the one that contains the diagonal element.

@@ -9,7 +9,7 @@ mod problem;
 mod scaled_cholesky;
 
 pub use constrained_step::{Constraint, add_priors, constrained_step};
-pub(crate) use gram_accumulator::GramAccumulator;
+pub(crate) use gram_accumulator::{GramAccumulator, LANES};
 pub use levenberg_marquardt::{Solution, solve, solve_after, solve_with_watchdog};
 pub use normal_equations::{NormalBlock, ReducedSystem, UndeterminedFlight, eliminate};
 pub(crate) use normal_equations::{SchurComplement, TestedParameters};

@@ -6,11 +6,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::term_sums::{
-    AddRow, Block, LANES, OfTarget, Sample, Shape, Step, SumSegment, sum_backwards, zeros,
-};
+use super::term_sums::{AddRow, OfTarget, Sample, Shape, Step, SumSegment, sum_backwards, zeros};
 use super::weighted_rows::RowSum;
-use crate::least_squares::{GramAccumulator, NormalBlock, TestedParameters};
+use crate::least_squares::{GramAccumulator, LANES, NormalBlock, TestedParameters};
 
 /// Number of samples whose sums are kept.
 const SEGMENT: usize = 64;
@@ -25,13 +23,11 @@ pub(super) struct TermProducts {
     /// The last sample of the segment before.
     before: Option<Step>,
     targets: Vec<OfTarget>,
-    /// Scratch: a whitened row.
-    whitened: Vec<Block>,
 }
 
 impl TermProducts {
-    /// Creates the sums for a flight with so many local and global parameters, and the terms of so many targets and
-    /// functions.
+    /// Creates the sums for a flight, by the numbers of its local and global parameters and of the targets and functions of
+    /// the terms.
     pub fn new((locals, globals): (usize, usize), (targets, functions): (usize, usize)) -> Self {
         let all = locals + globals;
         let shape = Shape {
@@ -46,7 +42,6 @@ impl TermProducts {
             samples: Vec::with_capacity(SEGMENT),
             before: None,
             targets: (0..targets).map(|_| OfTarget::new(shape)).collect(),
-            whitened: zeros(shape.blocks),
         }
     }
 
@@ -128,15 +123,13 @@ impl RowSum for TermProducts {
     }
 
     fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
-        self.gram.add(row, before, scale, extra);
-        let (kept, before) = before.unwrap_or((0.0, row));
+        let whitened = self.gram.add(row, before, scale, extra);
         if let Some(sample) = self.samples.last_mut() {
             lanes::dispatch(AddRow {
                 shape: self.shape,
                 row: row.as_chunks().0,
-                before: before.as_chunks().0,
-                weights: (scale, -scale * kept),
-                whitened: &mut self.whitened,
+                weight: scale,
+                whitened: whitened.as_chunks().0,
                 sample,
             });
         }

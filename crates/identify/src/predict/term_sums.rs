@@ -2,8 +2,7 @@
 
 use lanes::{Kernel, Lanes};
 
-/// Number of lanes of the widest SIMD vectors.
-pub(super) const LANES: usize = 8;
+use crate::least_squares::LANES;
 
 /// Part of a row that fills the widest SIMD vectors.
 pub(super) type Block = [f64; LANES];
@@ -78,10 +77,9 @@ pub(super) fn sum_backwards(shape: Shape, samples: &mut [Sample]) -> Vec<Block> 
 pub(super) struct AddRow<'a> {
     pub shape: Shape,
     pub row: &'a [Block],
-    pub before: &'a [Block],
-    /// Weights of the two.
-    pub weights: (f64, f64),
-    pub whitened: &'a mut [Block],
+    pub weight: f64,
+    /// The row, weighted and without its autocorrelation.
+    pub whitened: &'a [Block],
     pub sample: &'a mut Sample,
 }
 
@@ -90,17 +88,7 @@ impl Kernel for AddRow<'_> {
 
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        let locals = self.shape.locals;
-        let (weight, of_before) = self.weights;
-        for (to, (row, before)) in self
-            .whitened
-            .iter_mut()
-            .zip(self.row.iter().zip(self.before))
-        {
-            *to = [0.0; LANES];
-            add_scaled::<T>(weight, row, to);
-            add_scaled::<T>(of_before, before, to);
-        }
+        let (locals, weight) = (self.shape.locals, self.weight);
         let by_local = &self.whitened.as_flattened()[..locals];
         let last = &self.row.as_flattened()[..locals];
         let sums = self.sample.whitened.chunks_exact_mut(locals);
