@@ -78,14 +78,20 @@ pub(crate) fn measure<R: Send>(
 }
 
 impl<R> MeasuredExtension<R> {
-    /// Why predictions speak against the added effects; `None` if they do not.
-    pub fn objection(&self) -> Option<&'static str> {
+    /// Why predictions speak against the added effects; `None` if they do not. Weak effects, which are not significant
+    /// themselves, must improve the predictions of most flights.
+    pub fn objection(&self, is_weak: bool) -> Option<&'static str> {
         let gain = self.gain.as_ref()?;
         if gain.changes_nothing() {
             return Some("its fit predicts the same as the model without it");
         }
-        gain.contradicts()
-            .then_some("it predicts other flights worse than the model without it")
+        if gain.contradicts() {
+            return Some("it predicts other flights worse than the model without it");
+        }
+        let improves = gain.is_improvement() && gain.improved > gain.worsened;
+        (is_weak && !improves).then_some(
+            "it is not significant itself, and does not predict most other flights better",
+        )
     }
 
     /// Adds fit and gain to the report. `None` if the extended model predicts worse.

@@ -166,9 +166,12 @@ impl<'a> Analysis<'a> {
         self.notes.extend(refused);
         self.clock.record("search");
         let context = self.model.context;
+        // Whether what was significant, library terms alone, has no explanation that is significant or predicts better.
+        let mut is_chance = false;
         let (mut report, measured) = loop {
             let fitted = (&self.before, self.residuals.as_ref());
-            let mut report = report::build_report(fitted, &self.model, &self.search);
+            let is_error = self.search.is_significant() && !is_chance;
+            let mut report = report::build_report(fitted, &self.model, (&self.search, is_error));
             report.consensus.clone_from(&self.consensus);
             if let Some(terms) = self.alternative_terms() {
                 report::add_alternative(&mut report, terms, &self.search);
@@ -178,6 +181,7 @@ impl<'a> Analysis<'a> {
             };
             let names = report::display_names(&chosen.extension.effects);
             let is_candidate = !self.search.accepted.is_empty();
+            let is_weak = is_candidate && self.is_weak();
             let applies = report.consensus.is_some();
             let noise = report.leading_noise().sigma;
             let measured = measure(
@@ -188,16 +192,17 @@ impl<'a> Analysis<'a> {
                 on_extension,
             );
             match if_possible(measured)? {
-                Some(measured) if !is_candidate || measured.objection().is_none() => {
+                Some(measured) if !is_candidate || measured.objection(is_weak).is_none() => {
                     break (report, Some(measured));
                 }
                 None if !is_candidate => break (report, None),
                 found => {
-                    let why = found.and_then(|measured| measured.objection());
+                    let why = found.and_then(|measured| measured.objection(is_weak));
                     let why = why.unwrap_or("the model with it cannot be fitted");
                     self.notes.push(format!("{names} is no explanation: {why}"));
                     self.search.accepted.remove(0);
                     self.search.keep_significant(&self.model);
+                    is_chance = is_weak && self.search.accepted.is_empty();
                 }
             }
         };
@@ -234,6 +239,13 @@ impl<'a> Analysis<'a> {
         };
         diagnosis.set_verified(None);
         Ok((diagnosis, made))
+    }
+
+    /// Whether no adequate hypothesis is significant itself: they only take the significance of a library term.
+    fn is_weak(&self) -> bool {
+        let mut accepted = self.search.accepted.iter();
+        let is_significant = |own| self.search.is_significant_itself(&self.model, own);
+        self.consensus.is_none() && !self.is_nearest_only && !accepted.any(is_significant)
     }
 
     /// Validates the best explanation by its out-of-sample gain if it is overflexible. Returns it if it improves
@@ -369,6 +381,36 @@ mod tests {
             "{names:?}"
         );
         assert!(second.chi2_decrease > 0.0);
+    }
+
+    #[test]
+    fn where_a_library_term_alone_is_significant_predictions_decide() {
+        let model = model_spec::load::load("disc", &["stall"]).unwrap();
+        let (dataset, options) = (mystery(4), DiagnosisOptions::default());
+        let context = Context {
+            model: &model,
+            dataset: &dataset,
+            options: &options,
+        };
+        let mut analysis = Analysis::new(context, BaseFit::new(context).unwrap()).unwrap();
+        let (model, search) = (&analysis.model, &analysis.search);
+        let (_, term) = search.at_base.tests.strongest_term().unwrap();
+        let detect = term.ln_p_value + 0.01;
+        // The weakest candidate explains nothing.
+        let weakest = model.candidates().filter_map(|(id, _)| {
+            let test = search.at_base.tests.candidates[id].as_ref()?;
+            (test.degrees_of_freedom > 0).then_some((id, test.ln_p_value))
+        });
+        let (weakest, _) = weakest.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+        let weakest = model.fit_hypothesis(&[weakest], &analysis.base, &search.noise);
+        analysis.search.accepted = Vec::from_iter(weakest);
+        analysis.search.at_base.thresholds.detect = detect;
+        assert!(analysis.search.is_significant() && analysis.is_weak());
+        let report = analysis.finish(&|_| ()).unwrap().0.report;
+        assert_eq!(report.verdict, Verdict::Adequate, "{}", report.summary);
+        assert!(report.explanations.is_empty());
+        let notes = report.notes.join(" ");
+        assert!(notes.contains("is not significant itself"), "{notes}");
     }
 
     #[test]

@@ -17,11 +17,11 @@ use crate::score_test::{MIN_TOLERANCE, ScoreTest, ln_p_to_z};
 use crate::selection::{Hypothesis, INFLATED, Search, StepwiseModel};
 use identify::LackOfFit;
 
-/// Builds the report of a search; what concerns the extended model is set later.
+/// Builds the report of a search, and of whether it shows a model error; what concerns the extended model is set later.
 pub(crate) fn build_report(
     (before, residuals): (&Fit, Option<&LackOfFit>),
     model: &ScoreTestModel<'_>,
-    search: &Search,
+    (search, is_error): (&Search, bool),
 ) -> Report {
     let context = model.context;
     let explanations = search.accepted.iter();
@@ -50,7 +50,7 @@ pub(crate) fn build_report(
             .collect(),
         reliable: true,
         cautions: Vec::new(),
-        verdict: verdict(search.is_significant() || !is_noise, &explanations),
+        verdict: verdict(is_error || !is_noise, &explanations),
         summary: String::new(),
         explanations,
         noise: noise((before, residuals), model, search),
@@ -386,12 +386,12 @@ mod tests {
         let before = search.is_significant();
         search.at_base.thresholds.detect = f64::NEG_INFINITY;
         let after = search.is_significant();
-        let report = build_report((&fit, None), &tests, &search);
+        let report = build_report((&fit, None), &tests, (&search, after));
         for sigma in &mut search.noise.sigma {
             *sigma *= 100.0;
         }
         let residuals = LackOfFit::of_fit(&fit, 1).unwrap();
-        let inflated = build_report((&fit, residuals.as_ref()), &tests, &search);
+        let inflated = build_report((&fit, residuals.as_ref()), &tests, (&search, after));
         (report, [before, after], inflated.leading_noise().sigma)
     }
 

@@ -89,14 +89,18 @@ impl Search {
         Ok(Some(again.collect()))
     }
 
+    /// Whether a hypothesis is significant itself, by its decrease of χ².
+    pub fn is_significant_itself(&self, model: &ScoreTestModel<'_>, own: &Hypothesis) -> bool {
+        let decrease = self.at_base.squares - own.squares;
+        chi2_ln_sf(decrease, model.unknowns_of(&own.effects)) < self.at_base.thresholds.detect
+    }
+
     /// Drops hypotheses that are not significant themselves: where predictions refuse a better one, they do not explain
     /// what that one explained.
     pub fn keep_significant(&mut self, model: &ScoreTestModel<'_>) {
-        let (squares, detect) = (self.at_base.squares, self.at_base.thresholds.detect);
-        self.accepted.retain(|own| {
-            let unknowns = model.unknowns_of(&own.effects);
-            chi2_ln_sf(squares - own.squares, unknowns) < detect
-        });
+        let mut accepted = std::mem::take(&mut self.accepted);
+        accepted.retain(|own| self.is_significant_itself(model, own));
+        self.accepted = accepted;
     }
 
     /// Adds adequate hypotheses with one value for all flights of an effect of the same site, instead of a value for
