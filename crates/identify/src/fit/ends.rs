@@ -29,7 +29,8 @@ const DEVIATING: (f64, f64) = (4.5, 3.0);
 const MAX_PASSES: usize = 2;
 
 /// End of the note of a flight whose first samples are left out.
-const HELD: &str = "samples are left out: they deviate from the motion after them, as of a body that is still held";
+const HELD: &str = "samples are left out: they deviate from the motion after them, as of a body that is still held, or where \
+                    the model lacks something";
 
 /// Numbers of samples to be left out at the beginning and at the end of a flight.
 #[derive(Clone, Copy, Default)]
@@ -89,7 +90,9 @@ fn leave_out(observations: &mut Observations, runs: Runs) {
     if runs.last > 0 {
         observations.truncate(
             observations.times.len() - runs.last,
-            "the samples after it deviate from the motion before them, as when something stops the body".into(),
+            "the samples after it deviate from the motion before them, as when something stops the body, or where the model \
+             lacks something"
+                .into(),
         );
     }
 }
