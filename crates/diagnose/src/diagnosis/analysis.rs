@@ -207,6 +207,11 @@ impl<'a> Analysis<'a> {
             }
         };
         report.notes.append(&mut self.notes);
+        if is_chance {
+            report
+                .notes
+                .extend(report::term_alone(&self.model, &self.search));
+        }
         let (mut after, mut made) = (None, None);
         if let Some(measured) = measured {
             let offered = measured.add_to(&mut report, &self.before, context)?;
@@ -411,6 +416,7 @@ mod tests {
         assert!(report.explanations.is_empty());
         let notes = report.notes.join(" ");
         assert!(notes.contains("is not significant itself"), "{notes}");
+        assert!(notes.contains("no effect that explains it is"), "{notes}");
     }
 
     #[test]

@@ -11,7 +11,7 @@ pub(crate) use curves::curves;
 pub(crate) use extension::{
     add_alternative, add_extension, note_not_applied, use_clustered_errors,
 };
-pub(crate) use narrative::{refused, summary};
+pub(crate) use narrative::{refused, summary, term_alone};
 pub(crate) use report_builder::{build_report, noise, unattributed_report};
 pub(crate) use residuals::{
     add_residuals, describe_departures, display_names, note_incomplete, note_not_offered,

@@ -8,7 +8,9 @@ use identify::wording::{count, names, sentence};
 use super::types::{
     Consensus, Estimate, Explanation, ExplanationEffect, LoadChannel, Report, Verdict,
 };
-use crate::selection::{StepwiseModel, StepwiseTerm};
+use crate::context::ScoreTestModel;
+use crate::score_test::ln_p_to_z;
+use crate::selection::{Search, StepwiseModel, StepwiseTerm};
 use crate::validation::{ChosenExtension, PredictiveGain};
 
 /// Minimum bias of a coefficient that the summary names, standard errors.
@@ -297,6 +299,18 @@ fn agreement(consensus: &Consensus) -> String {
     text
 }
 
+/// Note on the strongest library term where it is significant, and no effect that explains it is.
+pub(crate) fn term_alone(model: &ScoreTestModel<'_>, search: &Search) -> Option<String> {
+    let terms = model.terms.as_ref()?;
+    let (term, test) = search.at_base.tests.strongest_term()?;
+    Some(format!(
+        "the term {} is significant (z = {:.1}), but no effect that explains it is: it may be chance, or a small error of \
+         the measurement",
+        terms.name(term),
+        ln_p_to_z(test.ln_p_value)
+    ))
+}
+
 /// Sentence on the coefficients whose estimates were biased because the model lacked an effect; empty if none was.
 fn omitted_variable_bias(report: &Report) -> String {
     let biased = report.coefficients.iter().filter_map(|(name, c)| {
@@ -321,6 +335,7 @@ fn omitted_variable_bias(report: &Report) -> String {
         biased.join(", ")
     )
 }
+
 /// Why a hypothesis that leaves only noise is not accepted: it does not improve predictions.
 pub(crate) fn refused(validated: &ChosenExtension) -> String {
     let names = validated.extension.effects.join(" with ");
