@@ -202,7 +202,8 @@ impl<'a> Analysis<'a> {
                     self.notes.push(format!("{names} is no explanation: {why}"));
                     self.search.accepted.remove(0);
                     self.search.keep_significant(&self.model);
-                    is_chance = is_weak && self.search.accepted.is_empty();
+                    let is_last = self.search.accepted.is_empty() && self.stepwise.is_none();
+                    is_chance = is_weak && is_last;
                 }
             }
         };
@@ -246,11 +247,14 @@ impl<'a> Analysis<'a> {
         Ok((diagnosis, made))
     }
 
-    /// Whether no adequate hypothesis is significant itself: they only take the significance of a library term.
+    /// Whether neither a candidate nor an adequate hypothesis is significant itself: they only take the significance of a
+    /// library term.
     fn is_weak(&self) -> bool {
-        let mut accepted = self.search.accepted.iter();
-        let is_significant = |own| self.search.is_significant_itself(&self.model, own);
-        self.consensus.is_none() && !self.is_nearest_only && !accepted.any(is_significant)
+        let search = &self.search;
+        let mut accepted = search.accepted.iter();
+        let is_significant = |own| search.is_significant_itself(&self.model, own);
+        let is_adequate = self.consensus.is_none() && !self.is_nearest_only;
+        is_adequate && !search.has_significant_candidate() && !accepted.any(is_significant)
     }
 
     /// Validates the best explanation by its out-of-sample gain if it is overflexible. Returns it if it improves
@@ -388,8 +392,9 @@ mod tests {
         assert!(second.chi2_decrease > 0.0);
     }
 
-    #[test]
-    fn where_a_library_term_alone_is_significant_predictions_decide() {
+    /// Report of flights of the right model, if a library term alone is significant, and the candidate that explains least
+    /// is adequate; with library terms selected, or without.
+    fn report_of_weak_candidate(with_terms: bool) -> Report {
         let model = model_spec::load::load("disc", &["stall"]).unwrap();
         let (dataset, options) = (mystery(4), DiagnosisOptions::default());
         let context = Context {
@@ -399,24 +404,46 @@ mod tests {
         };
         let mut analysis = Analysis::new(context, BaseFit::new(context).unwrap()).unwrap();
         let (model, search) = (&analysis.model, &analysis.search);
-        let (_, term) = search.at_base.tests.strongest_term().unwrap();
+        let tests = &search.at_base.tests;
+        let (_, term) = tests.strongest_term().unwrap();
         let detect = term.ln_p_value + 0.01;
-        // The weakest candidate explains nothing.
-        let weakest = model.candidates().filter_map(|(id, _)| {
-            let test = search.at_base.tests.candidates[id].as_ref()?;
-            (test.degrees_of_freedom > 0).then_some((id, test.ln_p_value))
-        });
-        let (weakest, _) = weakest.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+        let of_candidate = tests.strongest_candidate().unwrap().1.ln_p_value;
+        let each = tests.candidates.iter_enumerated();
+        let each = each.filter_map(|(id, test)| Some((id, test.as_ref()?)));
+        let weakest = each
+            .filter(|(_, test)| test.degrees_of_freedom > 0)
+            .max_by(|a, b| a.1.ln_p_value.total_cmp(&b.1.ln_p_value));
+        let (weakest, _) = weakest.unwrap();
         let weakest = model.fit_hypothesis(&[weakest], &analysis.base, &search.noise);
+        if with_terms {
+            let terms = StepwiseModel::select(model, search, &analysis.before, None);
+            analysis.stepwise = terms.unwrap();
+        }
         analysis.search.accepted = Vec::from_iter(weakest);
         analysis.search.at_base.thresholds.detect = detect;
         assert!(analysis.search.is_significant() && analysis.is_weak());
-        let report = analysis.finish(&|_| ()).unwrap().0.report;
+        // Not where another candidate is significant.
+        analysis.search.at_base.thresholds.detect = of_candidate + 0.01;
+        assert!(!analysis.is_weak());
+        analysis.search.at_base.thresholds.detect = detect;
+        analysis.finish(&|_| ()).unwrap().0.report
+    }
+
+    #[test]
+    fn where_a_library_term_alone_is_significant_predictions_decide() {
+        let report = report_of_weak_candidate(false);
         assert_eq!(report.verdict, Verdict::Adequate, "{}", report.summary);
         assert!(report.explanations.is_empty());
         let notes = report.notes.join(" ");
         assert!(notes.contains("is not significant itself"), "{notes}");
         assert!(notes.contains("no effect that explains it is"), "{notes}");
+    }
+
+    #[test]
+    fn terms_that_were_selected_remain_the_answer_where_no_candidate_does() {
+        let report = report_of_weak_candidate(true);
+        assert_eq!(report.verdict, Verdict::Unattributed, "{}", report.summary);
+        assert!(report.unattributed.is_some());
     }
 
     #[test]

@@ -117,14 +117,18 @@ impl Search {
 
     /// Whether a candidate or a library term is significant at the fit of the model under test.
     pub fn is_significant(&self) -> bool {
-        let ln_p_value = |test: Option<&ScoreTest>| test.map_or(0.0, |test| test.ln_p_value);
-        let candidate = self
-            .at_base
-            .tests
-            .strongest_candidate()
-            .map(|(_, test)| test);
-        let term = self.at_base.tests.strongest_term().map(|(_, test)| test);
-        ln_p_value(candidate).min(ln_p_value(term)) < self.at_base.thresholds.detect
+        let term = self.at_base.tests.strongest_term();
+        self.has_significant_candidate() || term.is_some_and(|(_, test)| self.is_detected(test))
+    }
+
+    /// Whether a candidate is significant there.
+    pub fn has_significant_candidate(&self) -> bool {
+        let candidate = self.at_base.tests.strongest_candidate();
+        candidate.is_some_and(|(_, test)| self.is_detected(test))
+    }
+
+    fn is_detected(&self, test: &ScoreTest) -> bool {
+        test.ln_p_value < self.at_base.thresholds.detect
     }
 
     /// Whether an `expected` χ² is below `fitted`, or above it by less than the margin.
