@@ -26,7 +26,9 @@ uv pip install --quiet --reinstall --no-deps "$target"/python-wheels/*.whl
 
 echo "== ruff, mypy, pyright, stubs, beside the tests"
 static() {
-    ruff check . ../docs/notebooks && ruff format --check . ../docs/notebooks && mypy && pyright --pythonpath "$venv/bin/python" && stubtest hyzer._hyzer
+    ruff check . ../docs/notebooks && ruff format --check . ../docs/notebooks && mypy &&
+        ruff check --isolated --select E9,F ../benches ../studies &&
+        pyright --pythonpath "$venv/bin/python" && stubtest hyzer._hyzer
 }
 static >"$target/python-static.log" 2>&1 &
 checks=$!

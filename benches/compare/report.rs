@@ -186,7 +186,7 @@ fn operations(page: &mut String, root: &Path, m: &Measured) {
 
 fn flights(page: &mut String, flown: Result<Vec<Timed>, String>, frispy: Option<Value>) {
     *page += "## Flights\n\nFrisPy 2.0.2 flies its default release to the landing by its own equations, which \
-        `benches/peers/frispy.hyz` says in our language; they are not those of a real disc (see there).\n\n";
+        `model-spec/refuted/frispy.hyz` says in our language; they are not those of a real disc (see there).\n\n";
     let flown = match flown {
         Ok(flown) => flown,
         Err(fault) => {

@@ -17,7 +17,6 @@ import numpy as np
 import sympy
 from pyoperon.sklearn import SymbolicRegressor
 
-import library
 import ours
 import tracks
 

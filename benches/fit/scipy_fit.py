@@ -7,7 +7,6 @@ import scipy.sparse as sparse
 from scipy.optimize import least_squares
 
 import flights
-import native
 from native import NC, NX, WIDTH
 
 # Substeps of a sample's interval: 100 rad/s are followed to a thousandth of the noise.

@@ -1,6 +1,8 @@
-//! Flights in lanes as a C library: FrisPy's equations as `hyzer generate --lanes` prints them, and the built-in disc.
+//! Flights and many states in lanes as a C library: FrisPy's equations as `hyzer generate --lanes` prints them, and the
+//! built-in disc.
 
 mod frispy;
+mod states;
 
 use generated::disc;
 use lanes::Lanes;

@@ -2,6 +2,7 @@
 
 import argparse
 import ctypes
+import json
 import os
 import pathlib
 import platform
@@ -17,12 +18,9 @@ from frispy.equations_of_motion import EOM
 from scipy.integrate import solve_ivp
 
 import nutation
+from flown import BACKHAND, DISC, FLIGHTS, Ours, pointer, scattered, timed
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FLIGHTS = 4096
-# The backhand of crates/flight/releases, with the parameters of its file.
-BACKHAND = [-0.903, 0.633, 0.913, 13.109, 0.41, -2.779, -0.0711, -0.211, -5.03, -14.9, 1.48, -54.3]
-DISC = [0.175, 0.002352, 0.001219, 0.269, 0.057, 1.23, 9.7935, 0.188, 2.37, 0.15, 1.24, -0.38, -0.005, -0.0004, -3.4e-5, 0, 0, 0]
 FRISPY = [0.175, 0.273049106904806, 0.058556, 1.225, 9.81, 1, 0.001219, 0.002352, 0.33, 1.9, 0.18, 0.69, -0.013, -0.0017, -0.082]
 FRISPY += [0.43, -0.014, -3.4e-5, 0.06981317007977318]
 DEFAULT = [0, 0, 1, 10, 0, 0, 0, 0, 0, 0, 0, 62]
@@ -34,33 +32,6 @@ class Groundless(EOM):
 
     def compute_derivatives(self, t, y):
         return super().compute_derivatives(t, np.concatenate((y[:2], [1.0], y[3:])))
-
-
-def pointer(array):
-    return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
-
-
-class Ours:
-    def __init__(self, path):
-        self.library = ctypes.CDLL(str(path))
-        double, pointers = ctypes.c_double, ctypes.POINTER(ctypes.c_double)
-        self.library.flights.argtypes = [ctypes.c_int, ctypes.c_int, double, double, ctypes.c_size_t, pointers, pointers, pointers]
-        self.library.flights.restype = ctypes.c_uint64
-
-    def fly(self, model, method, rtol, atol, starts, parameters):
-        ends = np.zeros((len(starts), 13))
-        p = np.array(parameters, dtype=float)
-        evaluations = self.library.flights(model, method, rtol, atol, len(starts), pointer(starts), pointer(p), pointer(ends))
-        return ends, evaluations / len(starts)
-
-
-def scattered(start, seed):
-    """Flights about one, speeds and rates within a tenth; the first is the one."""
-    random = np.random.default_rng(seed)
-    starts = np.tile(np.array(start, dtype=float), (FLIGHTS, 1))
-    starts[1:, 3:6] *= random.uniform(0.9, 1.1, (FLIGHTS - 1, 3))
-    starts[1:, 9:] *= random.uniform(0.9, 1.1, (FLIGHTS - 1, 3))
-    return np.ascontiguousarray(starts)
 
 
 def scipy_disc(library):
@@ -94,13 +65,6 @@ def scipy_disc(library):
     return fly
 
 
-def timed(work):
-    """Seconds of the processor, since the machine may be shared."""
-    start = time.process_time()
-    work()
-    return time.process_time() - start
-
-
 def scaling(hyzer):
     """Flights a second of `hyzer sweep` as a whole on one thread and on all: of the wall's time, and of the processor's per thread."""
     threads = len(os.sched_getaffinity(0))
@@ -130,6 +94,7 @@ def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("library")
     arguments.add_argument("hyzer")
+    arguments.add_argument("compiled", type=pathlib.Path, help="what jit.py measured")
     arguments.add_argument("--rounds", type=int, default=31)
     arguments.add_argument("--out", default=str(ROOT / "docs" / "studies" / "benchmarks-sweep.md"))
     asked = arguments.parse_args()
@@ -190,6 +155,8 @@ def main():
             f" | {errors[1, method]:.1e} | {verdict(frispy / t, 250)} | {verdict(scipy / t, 500)} |"
         )
     share = rates[threads] / rates[1] / threads
+    compiled = json.loads(asked.compiled.read_text())
+    table = lambda name: chr(10).join(f"| {' | '.join(row)} |" for row in compiled[name])
     text = f"""# Benchmarks of sweeps
 
 `python3 benches/sweep/run.py` makes this page: FrisPy {'2.0.2'}, SciPy with our own compiled right-hand side (called through
@@ -207,6 +174,22 @@ None of them seeks the greatest height. Errors are of each state's magnitude or 
 {rates[1]:.0f} flights a second on one thread, {rates[threads]:.0f} on {threads}: {share:.2f} of each thread (bar 0.9: {'holds' if share >= 0.9 else '**missed**'}).
 The machine was shared with other work, at a load of {load:.1f} before these runs. Of the processor's time alone: {processor[1]:.0f} flights
 a second on one thread, {processor[threads]:.0f} on each of {threads}, {processor[threads] / processor[1]:.2f} of it.
+
+## Compilers at run time
+
+heyoka.py {compiled['versions']['heyoka.py']} and symjit {compiled['versions']['symjit']} compile the disc of `benches/peers/disc.py` at run time and run in turn with our lanes in another process, for
+the same rounds on one thread. 1000 states at once, each with parameters of its own: ns of the processor's time a state, and in brackets its ratio
+to ours. Of each, the fastest of its ways that agrees; both differentiate by themselves or by SymPy, without a chain rule by hand.
+
+| | f | f+J+Jp | way for f+J+Jp | worst difference from ours |
+|---|---:|---:|---|---:|
+{table('states')}
+
+The backhand to the landing; errors against heyoka.py at 1e-15. Our flights scatter and end apart, heyoka.py's of a batch are the same flight.
+
+| | time of a flight | error at the landing |
+|---|---:|---:|
+{table('flights')}
 
 ## Nutation
 

@@ -1,4 +1,4 @@
-"""Flights a second beside FrisPy and SciPy: `python3 benches/sweep/run.py` writes docs/studies/benchmarks-sweep.md.
+"""Flights a second beside FrisPy, SciPy, heyoka.py and symjit: `python3 benches/sweep/run.py` writes docs/studies/benchmarks-sweep.md.
 
 Makes an environment of its own in target/peers/sweep and a library of our flights in target/peers/flights.
 """
@@ -35,6 +35,7 @@ def library(target):
     paths = [f'{name} = {{ package = "hyzer-{name}", path = "{path}" }}' for name, path in rooms.items()]
     (folder / "Cargo.toml").write_text(MANIFEST.format(paths="\n".join(paths)))
     (source / "lib.rs").write_text((HERE / "flights.rs").read_text())
+    (source / "states.rs").write_text((HERE / "states.rs").read_text())
     build = ["cargo", "build", "--release", "--quiet", "--target-dir", folder / "target"]
     subprocess.run(build, cwd=folder, check=True)
     return folder / "target" / "release" / "libflights.so"
@@ -44,7 +45,11 @@ def main():
     python = environment.peers("sweep", HERE / "requirements.txt")
     target = environment.built("library")
     flights = library(target)
-    command = [python, HERE / "measure.py", flights, target / "release" / "hyzer", *sys.argv[1:]]
+    # heyoka.py needs another NumPy than FrisPy.
+    jit = environment.peers("jit", HERE / "requirements-jit.txt")
+    compiled = environment.ROOT / "target" / "peers" / "jit.json"
+    compiled.write_bytes(subprocess.run([jit, HERE / "jit.py", flights], check=True, capture_output=True).stdout)
+    command = [python, HERE / "measure.py", flights, target / "release" / "hyzer", compiled, *sys.argv[1:]]
     subprocess.run(command, check=True)
 
 
