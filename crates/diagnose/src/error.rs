@@ -42,17 +42,6 @@ impl DiagnosisError {
     }
 }
 
-/// Converts an error other than cancellation to `None`: what cannot be computed is no result.
-pub(crate) fn if_possible<T, E: Into<DiagnosisError>>(
-    result: Result<T, E>,
-) -> Result<Option<T>, DiagnosisError> {
-    match result.map_err(Into::into) {
-        Ok(value) => Ok(Some(value)),
-        Err(DiagnosisError::Fit(FitError::Interrupted)) => Err(FitError::Interrupted.into()),
-        Err(_) => Ok(None),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,7 +5,7 @@ use flight::parallel;
 use identify::{Fit, FlightEvidence, FlightId, fit};
 
 use crate::context::Context;
-use crate::error::{DiagnosisError, if_possible};
+use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::report::{self, Report};
 use crate::validation::{ApplyTo, ChosenExtension, PredictiveGain, cross_validate, gain_of_fits};
@@ -65,7 +65,7 @@ pub(crate) fn measure<R: Send>(
         gain = gain_of_fits(before, &fit, &not_applied, noise_floor);
     } else if gain.is_none() && !context.is_out_of_time() {
         let models = [(model, before), (&extension.model, &fit)];
-        gain = cross_validate(models, dataset, &options.fit, apply_to, noise_floor)?;
+        gain = cross_validate(models, dataset, &options.fit, apply_to, noise_floor);
     }
     Ok(MeasuredExtension {
         extension,
@@ -100,12 +100,12 @@ impl<R> MeasuredExtension<R> {
         report: &mut Report,
         before: &Fit,
         context: Context<'_>,
-    ) -> Result<Option<OfferedExtension<R>>, DiagnosisError> {
+    ) -> Option<OfferedExtension<R>> {
         let is_worse = self.gain.as_ref().is_some_and(PredictiveGain::is_worse);
         report.predictive_gain = self.gain;
         if is_worse {
             report::note_not_offered(report, &self.extension);
-            return Ok(None);
+            return None;
         }
         let (extension, fit) = (self.extension, self.fit);
         report::add_extension(report, (&extension, self.chi2_decrease), before, &fit);
@@ -116,8 +116,8 @@ impl<R> MeasuredExtension<R> {
         let [was, is] = [before, &fit].map(|fit| evidence(context, fit));
         report.curves = report::curves(context.model, &was, &is);
         let residuals = LackOfFit::with_missing_term(&fit, context.options.fit.threads());
-        report::add_residuals(report, if_possible(residuals)?.flatten());
-        Ok(Some(((extension, fit), self.callback_result)))
+        report::add_residuals(report, residuals.ok().flatten());
+        Some(((extension, fit), self.callback_result))
     }
 }
 

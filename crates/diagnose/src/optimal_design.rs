@@ -13,7 +13,6 @@ use rand_chacha::ChaCha12Rng;
 use serde::{Deserialize, Serialize};
 
 use crate::context::{ColumnId, ScoreTestModel, ThrowRanges, select};
-use crate::error::DiagnosisError;
 use crate::selection::{Hypothesis, Search};
 
 /// Number of simulated throws, from which the best one is chosen, and seed of their random launch conditions.
@@ -53,18 +52,16 @@ pub struct ProposedThrow {
 pub(crate) fn proposed_throw(
     model: &ScoreTestModel<'_>,
     search: &Search,
-) -> Result<Option<ProposedThrow>, DiagnosisError> {
+) -> Option<ProposedThrow> {
     let ranges = &model.context.options.throws;
     let hypotheses = search.accepted.as_slice();
     let [best, _, ..] = hypotheses else {
-        return Ok(None);
+        return None;
     };
     let noise = &search.noise;
     let (problem, iterate) = (&best.problem, &best.iterate);
-    let blocks = model.normal_equations(problem, iterate, noise)?;
-    let Some(known) = information(model, &blocks) else {
-        return Ok(None);
-    };
+    let blocks = model.normal_equations(problem, iterate, noise).ok()?;
+    let known = information(model, &blocks)?;
     let each = hypotheses.iter().map(|h| Alternative::new(model, h));
     let alternatives: Vec<Alternative> = each.collect();
     let now = separation(&model.base, &alternatives, &known);
@@ -80,7 +77,7 @@ pub(crate) fn proposed_throw(
     let best = each
         .filter_map(|(after, throw)| Some((after?, throw)))
         .max_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(best.map(|(after, throw)| ProposedThrow::new(throw, after, now)))
+    best.map(|(after, throw)| ProposedThrow::new(throw, after, now))
 }
 
 /// Normal equations of a simulated flight of `throw` under the conditions of `like`, at the unknowns `at`.

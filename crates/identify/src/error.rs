@@ -170,9 +170,6 @@ pub enum FlightError {
     /// The deadline of the fit passed before the flight was processed.
     #[error("the time limit was reached before it was looked at")]
     Deadline,
-    /// The caller cancelled the fit or the prediction.
-    #[error("interrupted")]
-    Interrupted,
 }
 
 /// Section of the dataset or option of the fit in which a name was given.

@@ -27,7 +27,7 @@ pub struct FitOptions<'a> {
     pub threads: Option<usize>,
     /// Receiver of progress reports.
     pub progress: Option<&'a dyn Progress>,
-    /// Token with which another thread can cancel the fit.
+    /// Token with which another thread can cancel the fit: as if its deadline had passed, and without a result.
     pub cancellation: Option<&'a CancellationToken>,
     /// Time at which the best estimates so far are returned, with status
     /// [`FitStatus::Deadline`](crate::FitStatus::Deadline).
@@ -115,16 +115,26 @@ impl FitOptions<'_> {
         }
     }
 
-    /// Whether cancellation of the fit was requested.
-    pub fn is_cancelled(&self) -> bool {
+    /// Whether the deadline of the fit has passed, or it was cancelled; `false` without a deadline and a token.
+    pub fn is_past_deadline(&self) -> bool {
+        let is_past = |deadline| Instant::now() >= deadline;
+        self.is_cancelled() || self.deadline.is_some_and(is_past)
+    }
+
+    fn is_cancelled(&self) -> bool {
         let token = self.cancellation;
         token.is_some_and(CancellationToken::is_cancelled)
     }
 
-    /// Whether the deadline of the fit has passed; `false` without a deadline.
-    pub fn is_past_deadline(&self) -> bool {
-        self.deadline
-            .is_some_and(|deadline| Instant::now() >= deadline)
+    /// Nothing, or an error in place of the result of work that was cancelled: that is only what was found until then.
+    ///
+    /// # Errors
+    /// [`FitError::Interrupted`] if the work was cancelled.
+    pub fn check_cancelled(&self) -> Result<(), FitError> {
+        match self.is_cancelled() {
+            true => Err(FitError::Interrupted),
+            false => Ok(()),
+        }
     }
 
     /// Number of threads to use: the given number, or the number of processors if none is given; 0 is replaced by 1.

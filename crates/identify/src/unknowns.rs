@@ -320,9 +320,7 @@ fn with_vertical(
     let mut best: Option<(f64, [f64; 2])> = None;
     let mut failure = FitError::NothingToFit;
     for direction in directions() {
-        if options.is_cancelled() {
-            return Err(FitError::Interrupted);
-        }
+        options.check_cancelled()?;
         let start = angles(direction);
         match fit::fit(&turned(model, start)?, &few, &of_few) {
             Ok(found) => {

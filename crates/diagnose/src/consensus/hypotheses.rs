@@ -7,7 +7,7 @@ use model_spec::sort_by_number;
 
 use super::sign_flip_test::SignFlipTest;
 use crate::context::{CandidateId, ColumnId, ScoreTestModel, TermId};
-use crate::error::{DiagnosisError, if_possible};
+use crate::error::DiagnosisError;
 use crate::selection::{Hypothesis, Search};
 
 /// Familywise level of the sign-flip test at which the flights agree on a candidate.
@@ -42,31 +42,27 @@ pub(crate) fn consensus(
     model: &ScoreTestModel<'_>,
     search: &Search,
     base: &Iterate,
-) -> Result<Option<Consensus>, DiagnosisError> {
+) -> Option<Consensus> {
     let flights = model.flights.len();
     if flights < MIN_FLIGHTS {
-        return Ok(None);
+        return None;
     }
-    let Some(null) = model.fit_hypothesis(&[], base, &search.noise) else {
-        return Ok(None);
-    };
-    let Some(test) = if_possible(sign_flip_test(model, &null, search))? else {
-        return Ok(None);
-    };
-    let mut agreed = agreed_hypotheses(model, search, (&null, &test))?;
+    let null = model.fit_hypothesis(&[], base, &search.noise)?;
+    let test = sign_flip_test(model, &null, search).ok()?;
+    let mut agreed = agreed_hypotheses(model, search, (&null, &test));
     let of_most = explained_without_discordant(model, &test, &agreed);
     let excess = test.excess_chi2(0..flights);
     let explained = |hypothesis: &Hypothesis| (null.squares - hypothesis.squares) / excess;
     agreed.retain(|agreed| explained(&agreed.hypothesis) >= LEAST.0);
     let Some(best) = agreed.first() else {
-        return Ok(of_most);
+        return of_most;
     };
-    Ok(Some(Consensus {
+    Some(Consensus {
         explained_fraction: explained(&best.hypothesis),
         p_value: best.p_value,
         hypotheses: agreed.into_iter().map(|agreed| agreed.hypothesis).collect(),
         discordant: of_most.map(|most| most.discordant).unwrap_or_default(),
-    }))
+    })
 }
 
 /// A hypothesis of one missing effect, and the familywise p-value of the agreement of the flights on this effect.
@@ -80,7 +76,7 @@ fn agreed_hypotheses(
     model: &ScoreTestModel<'_>,
     search: &Search,
     (null, test): (&Hypothesis, &SignFlipTest),
-) -> Result<Vec<Agreed>, DiagnosisError> {
+) -> Vec<Agreed> {
     let p_values = test.p_values(&groups(model, &[]));
     let mut agreed: Vec<Agreed> = Vec::new();
     for ((id, candidate), &p_value) in model.candidates().zip(&p_values) {
@@ -88,7 +84,6 @@ fn agreed_hypotheses(
         if !is_common || p_value >= ALPHA_AGREE {
             continue;
         }
-        model.context.check_cancelled()?;
         if model.context.is_out_of_time() {
             break;
         }
@@ -96,7 +91,7 @@ fn agreed_hypotheses(
         let Some(hypothesis) = model.fit_hypothesis(&[id], from, &search.noise) else {
             continue;
         };
-        let Some(given) = if_possible(sign_flip_test(model, &hypothesis, search))? else {
+        let Ok(given) = sign_flip_test(model, &hypothesis, search) else {
             continue;
         };
         let remaining = given.p_values(&groups(model, &[id]));
@@ -108,7 +103,7 @@ fn agreed_hypotheses(
         }
     }
     sort_by_number(&mut agreed, |agreed| agreed.hypothesis.squares);
-    Ok(agreed)
+    agreed
 }
 
 /// The hypothesis in `agreed` of one coefficient that best explains its concordant flights; the list of hypotheses in

@@ -130,7 +130,7 @@ impl ScoreTestModel<'_> {
         work: impl Fn(usize) -> Result<R, FlightError> + Sync,
     ) -> Result<Vec<R>, FitError> {
         let done = parallel::each_on(self.threads(), self.flights.len(), |flight| {
-            self.context.check_cancelled()?;
+            self.context.options.fit.check_cancelled()?;
             work(flight).map_err(|reason| self.flight_error(flight, reason))
         });
         done.into_iter().collect()

@@ -38,15 +38,8 @@ impl Context<'_> {
         flights.any(|flight| flight.role == dataset::Role::HeldOut)
     }
 
+    /// Whether the deadline has passed, or the caller cancelled the diagnosis.
     pub fn is_out_of_time(&self) -> bool {
         self.options.fit.is_past_deadline()
-    }
-
-    /// Returns [`identify::FitError::Interrupted`] if the caller cancelled the diagnosis.
-    pub fn check_cancelled(&self) -> Result<(), identify::FitError> {
-        match self.options.fit.is_cancelled() {
-            true => Err(identify::FitError::Interrupted),
-            false => Ok(()),
-        }
     }
 }

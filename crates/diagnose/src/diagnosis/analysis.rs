@@ -4,7 +4,7 @@ use identify::{Fit, Iterate, leading_noise};
 
 use crate::base_fit::{BaseFit, Clock};
 use crate::context::{Context, ScoreTestModel};
-use crate::error::{DiagnosisError, if_possible};
+use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::noise::random_walk_loads;
 use crate::offer::measure;
@@ -80,7 +80,7 @@ impl<'a> Analysis<'a> {
             || search_testable(&mut model, &mut base, &before, &mut set_aside),
             || LackOfFit::of_fit(&before, threads),
         );
-        let (mut search, residuals) = (search?, if_possible(residuals)?.flatten());
+        let (mut search, residuals) = (search?, residuals.ok().flatten());
         before.report.lack_of_fit.clone_from(&residuals);
         let unexplained = residuals
             .as_ref()
@@ -127,7 +127,7 @@ impl<'a> Analysis<'a> {
             analysis.select_by_bic(FREE_UNKNOWNS);
         }
         if analysis.consensus.is_none() && !analysis.is_nearest_only {
-            analysis.search.add_undecided(&analysis.model)?;
+            analysis.search.add_undecided(&analysis.model);
         }
         Ok(analysis)
     }
@@ -162,7 +162,7 @@ impl<'a> Analysis<'a> {
         mut self,
         on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
     ) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
-        let (mut validated, refused) = self.validate_overflexible()?;
+        let (mut validated, refused) = self.validate_overflexible();
         self.notes.extend(refused);
         self.clock.record("search");
         let context = self.model.context;
@@ -191,7 +191,7 @@ impl<'a> Analysis<'a> {
                 (applies, noise),
                 on_extension,
             );
-            match if_possible(measured)? {
+            match measured.ok() {
                 Some(measured) if !is_candidate || measured.objection(is_weak).is_none() => {
                     break (report, Some(measured));
                 }
@@ -215,8 +215,7 @@ impl<'a> Analysis<'a> {
         }
         let (mut after, mut made) = (None, None);
         if let Some(measured) = measured {
-            let offered = measured.add_to(&mut report, &self.before, context)?;
-            (after, made) = offered.unzip();
+            (after, made) = measured.add_to(&mut report, &self.before, context).unzip();
         }
         if self.is_nearest_only && !self.search.accepted.is_empty() {
             report::withdraw_inadequate(&mut report);
@@ -232,8 +231,7 @@ impl<'a> Analysis<'a> {
             report::note_incomplete(&mut report, is_out_of_time);
         }
         if !is_out_of_time {
-            let found = proposed_throw(&self.model, &self.search);
-            report.proposed_throw = if_possible(found)?.flatten();
+            report.proposed_throw = proposed_throw(&self.model, &self.search);
         }
         report.summary = report::summary(&report);
         self.clock.record("total");
@@ -244,6 +242,7 @@ impl<'a> Analysis<'a> {
             after,
         };
         diagnosis.set_verified(None);
+        context.options.fit.check_cancelled()?;
         Ok((diagnosis, made))
     }
 
@@ -259,32 +258,27 @@ impl<'a> Analysis<'a> {
 
     /// Validates the best explanation by its out-of-sample gain if it is overflexible. Returns it if it improves
     /// predictions; otherwise drops all overflexible ones and returns the reason.
-    fn validate_overflexible(
-        &mut self,
-    ) -> Result<(Option<ChosenExtension>, Option<String>), DiagnosisError> {
+    fn validate_overflexible(&mut self) -> (Option<ChosenExtension>, Option<String>) {
         let model = &self.model;
         let best = self.search.accepted.first();
         let Some(best) = best.filter(|best| best.is_overflexible(model)) else {
-            return Ok((None, None));
+            return (None, None);
         };
         let noise = self.noise();
         if model.context.is_out_of_time() {
-            return Ok((None, None));
+            return (None, None);
         }
         let validated = ChosenExtension::validated(model, best, &self.before, noise);
-        let validated = if_possible(validated)?;
         let refused = match validated {
-            Some(validated) if validated.improves_predictions() => {
-                return Ok((Some(validated), None));
-            }
-            Some(validated) => Some(report::refused(&validated)),
-            None => None,
+            Ok(validated) if validated.improves_predictions() => return (Some(validated), None),
+            Ok(validated) => Some(report::refused(&validated)),
+            Err(_) => None,
         };
         self.search.accepted.retain(|h| !h.is_overflexible(model));
         if self.search.accepted.is_empty() && self.stepwise.is_none() {
-            self.stepwise = StepwiseModel::select(model, &self.search, &self.before, None)?;
+            self.stepwise = StepwiseModel::select(model, &self.search, &self.before, None);
         }
-        Ok((None, refused))
+        (None, refused)
     }
 
     /// Chooses the effects by which the model is extended: those of the best explanation, or else the selected library
@@ -310,7 +304,7 @@ impl<'a> Analysis<'a> {
         };
         let noise = self.noise();
         let (model, search) = (&self.model, &self.search);
-        let count = predictive_terms(context, &stepwise, noise)?;
+        let count = predictive_terms(context, &stepwise, noise);
         stepwise.keep_first(count);
         let histories = match context.is_out_of_time() {
             true => Vec::new(),

@@ -17,10 +17,10 @@ impl Analysis<'_> {
         let singles = &self.search.rejected;
         let single = singles.iter().position(|h| few(&h.effects));
         let single = single.map(|index| self.search.rejected[index].effects.clone());
-        self.stepwise = StepwiseModel::start(&self.model, &self.search, None)?;
+        self.stepwise = StepwiseModel::start(&self.model, &self.search, None);
         for fewer in 1..MAX_EFFECTS {
             self.add_effect()?;
-            self.extend_terms(fewer)?;
+            self.extend_terms(fewer);
             if !self.search.accepted.is_empty() || self.has_adequate_terms() {
                 break;
             }
@@ -30,16 +30,16 @@ impl Analysis<'_> {
         }
         if self.search.accepted.is_empty() {
             if let Some(stepwise) = &mut self.stepwise {
-                stepwise.extend(&self.model, &self.search, &self.before, MAX_SELECTED)?;
+                stepwise.extend(&self.model, &self.search, &self.before, MAX_SELECTED);
             }
             // A candidate that is not adequate alone may be adequate together with library terms.
             if let (Some(single), false) = (single, self.has_adequate_terms()) {
-                self.search_terms_beside(&single)?;
+                self.search_terms_beside(&single);
             }
         }
         self.select_by_bic(0);
         if self.search.accepted.is_empty() && !self.has_adequate_terms() {
-            self.search_consensus()?;
+            self.search_consensus();
             if self.consensus.is_none() {
                 let nearest = self.search.nearest(&self.model, self.stepwise.as_ref());
                 self.is_nearest_only = nearest.is_some();
@@ -51,13 +51,13 @@ impl Analysis<'_> {
 
     /// Adds an effect to the rejected hypotheses. Noise that contained misfit weighted the terms, too; these start again.
     fn add_effect(&mut self) -> Result<(), DiagnosisError> {
-        self.search.add_effect(&self.model)?;
+        self.search.add_effect(&self.model);
         let alpha = self.model.context.options.alpha_detect;
         let unexplained = self.residuals.as_ref().filter(|own| own.fails(alpha));
         let floor = unexplained.map(|own| &own.noise);
         let (model, base) = (&mut self.model, &self.base);
         if self.search.judge_with_less_noise(model, base, floor)? {
-            self.stepwise = StepwiseModel::start(&self.model, &self.search, None)?;
+            self.stepwise = StepwiseModel::start(&self.model, &self.search, None);
         }
         Ok(())
     }
@@ -65,9 +65,9 @@ impl Analysis<'_> {
     /// Adds library terms as alternatives: fewer than the unknowns of an accepted hypothesis, or as many if its effects
     /// change one load, which may approximate a law outside the catalogue; otherwise up to `most`, if the next is
     /// expected to explain about as much as the best rejected hypothesis.
-    fn extend_terms(&mut self, most: usize) -> Result<(), DiagnosisError> {
+    fn extend_terms(&mut self, most: usize) {
         let (search, Some(stepwise)) = (&self.search, &mut self.stepwise) else {
-            return Ok(());
+            return;
         };
         let most = match (search.accepted.first(), search.rejected.first()) {
             (Some(accepted), _) => {
@@ -85,25 +85,22 @@ impl Analysis<'_> {
             }
             (None, None) => most,
         };
-        stepwise.extend(&self.model, search, &self.before, most)
+        stepwise.extend(&self.model, search, &self.before, most);
     }
 
     /// Selects library terms beside the candidates `effects`; the better of this and the present selection is kept.
-    fn search_terms_beside(&mut self, effects: &[CandidateId]) -> Result<(), DiagnosisError> {
+    fn search_terms_beside(&mut self, effects: &[CandidateId]) {
         let (model, search) = (&self.model, &self.search);
-        let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {
-            return Ok(());
-        };
-        let beside = StepwiseModel::select(model, search, &self.before, Some(&single))?;
+        let single = model.fit_hypothesis(effects, &self.base, &search.noise);
+        let beside = single
+            .and_then(|single| StepwiseModel::select(model, search, &self.before, Some(&single)));
         self.stepwise = StepwiseModel::better(self.stepwise.take(), beside);
-        Ok(())
     }
 
     /// Accepts hypotheses whose effect has the same sign in most flights, and stores the discordant flights.
-    fn search_consensus(&mut self) -> Result<(), DiagnosisError> {
-        let found = consensus(&self.model, &self.search, &self.base)?;
-        let Some(found) = found else {
-            return Ok(());
+    fn search_consensus(&mut self) {
+        let Some(found) = consensus(&self.model, &self.search, &self.base) else {
+            return;
         };
         if !found.discordant.is_empty() {
             let files = found.discordant.iter();
@@ -123,6 +120,5 @@ impl Analysis<'_> {
                 discordant: Vec::new(),
             });
         }
-        Ok(())
     }
 }

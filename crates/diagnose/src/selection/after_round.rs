@@ -6,7 +6,7 @@ use model_spec::sort_by_number;
 use super::hypothesis::Hypothesis;
 use super::search::{MAX_EFFECTS, Search, Weights};
 use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, TrajectoryCache};
-use crate::error::{DiagnosisError, if_possible};
+use crate::error::DiagnosisError;
 use crate::score_test::chi2_ln_sf;
 
 /// Ratio of noise estimates above which the larger one contains misfit.
@@ -33,10 +33,11 @@ impl Search {
             return Ok(());
         };
         let noise = self.noise.clone();
-        let mut fitted = self.fit_single_effects(model, base, Weights::Known(&noise))?;
+        let mut fitted = self.fit_single_effects(model, base, Weights::Known(&noise));
         fitted.retain(|again| accepted.iter().all(|own| own.effects != again.effects));
         fitted.extend(accepted);
-        self.classify(model, fitted)
+        self.classify(model, fitted);
+        Ok(())
     }
 
     /// Judges accepted combinations again by the noise that the best of them leaves, or by `floor`, the noise that no
@@ -56,7 +57,7 @@ impl Search {
         let Some(accepted) = self.take_less_noise(model, base, floor)? else {
             return Ok(false);
         };
-        self.classify(model, accepted)?;
+        self.classify(model, accepted);
         Ok(true)
     }
 
@@ -73,7 +74,7 @@ impl Search {
             return Ok(None);
         };
         let at = best.linearization_point();
-        let left = if_possible(model.estimate_noise(at, &best.effects, &self.noise))?;
+        let left = model.estimate_noise(at, &best.effects, &self.noise);
         let least = left.into_iter().chain(floor.cloned());
         let least = least.min_by(|a, b| slow_level(a).total_cmp(&slow_level(b)));
         let is_less = |own: &NoiseModel| INFLATED * slow_level(own) < slow_level(&self.noise);
@@ -105,7 +106,7 @@ impl Search {
 
     /// Adds adequate hypotheses with one value for all flights of an effect of the same site, instead of a value for
     /// each: fits from far away may not have arrived at them.
-    pub(super) fn add_common(&mut self, model: &ScoreTestModel<'_>) -> Result<(), DiagnosisError> {
+    pub(super) fn add_common(&mut self, model: &ScoreTestModel<'_>) {
         let mut common: Vec<Hypothesis> = Vec::new();
         for accepted in &self.accepted {
             for &of_each in &accepted.effects {
@@ -125,41 +126,37 @@ impl Search {
                     if known.any(|known| known.effects == effects) {
                         continue;
                     }
-                    model.context.check_cancelled()?;
                     if model.is_exhausted() {
                         break;
                     }
                     let from = model.at_null_value(&accepted.iterate, of_each);
-                    common.extend(self.adequate(model, &effects, &from)?);
+                    common.extend(self.adequate(model, &effects, &from));
                 }
             }
         }
         self.accepted.extend(common);
         sort_by_number(&mut self.accepted, |hypothesis| hypothesis.squares);
-        Ok(())
     }
 
     /// If one hypothesis is accepted and the strongest further candidate is near significance, accepts the hypothesis
     /// with it, too: the flights do not decide.
-    pub fn add_undecided(&mut self, model: &ScoreTestModel<'_>) -> Result<(), DiagnosisError> {
+    pub fn add_undecided(&mut self, model: &ScoreTestModel<'_>) {
         let [best] = &self.accepted[..] else {
-            return Ok(());
+            return;
         };
         let limit = (ALPHA_UNDECIDED / model.candidates().len() as f64).ln();
         let remaining = best.strongest_remaining();
         let Some((candidate, _)) = remaining.filter(|(_, ln_p_value)| *ln_p_value < limit) else {
-            return Ok(());
+            return;
         };
-        model.context.check_cancelled()?;
         if best.effects.len() >= MAX_EFFECTS || model.is_exhausted() {
-            return Ok(());
+            return;
         }
         let mut effects = best.effects.clone();
         effects.push(candidate);
         effects.sort_unstable();
         let with = model.fit_hypothesis(&effects, &best.iterate, &self.noise);
         self.accepted.extend(with);
-        Ok(())
     }
 }
 

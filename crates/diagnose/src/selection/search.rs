@@ -5,7 +5,7 @@ use model_spec::sort_by_number;
 
 use super::hypothesis::{Hypothesis, Thresholds};
 use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, TrajectoryCache};
-use crate::error::{DiagnosisError, if_possible};
+use crate::error::DiagnosisError;
 use crate::score_test::{ScoreTest, ScoreTests};
 
 /// Margin of χ² above the smallest expected one within which a hypothesis is fitted, and further one for linearization
@@ -106,8 +106,8 @@ impl Search {
             nearest: None,
         };
         if search.is_significant() {
-            let fitted = search.fit_single_effects(model, base, weights)?;
-            search.classify(model, fitted)?;
+            let fitted = search.fit_single_effects(model, base, weights);
+            search.classify(model, fitted);
             if matches!(weights, Weights::EstimatedFrom(_)) {
                 search.repeat_with_less_noise(model, base)?;
             }
@@ -143,13 +143,12 @@ impl Search {
         model: &mut ScoreTestModel<'_>,
         base: LinearizationPoint<'_>,
         weights: Weights<'_>,
-    ) -> Result<Vec<Hypothesis>, DiagnosisError> {
+    ) -> Vec<Hypothesis> {
         let mut fitted: Vec<Hypothesis> = Vec::new();
         for (index, effects) in strongest_singles(&self.at_base.tests)
             .into_iter()
             .enumerate()
         {
-            model.context.check_cancelled()?;
             if index > 0 && model.context.is_out_of_time() {
                 break;
             }
@@ -165,14 +164,12 @@ impl Search {
             };
             let is_first = fitted.is_empty();
             if is_first && !hypothesis.is_finished {
-                hypothesis = self.fitted_from_scratch(model, hypothesis)?;
+                hypothesis = self.fitted_from_scratch(model, hypothesis);
             }
             let is_estimated = is_first && matches!(weights, Weights::EstimatedFrom(_));
-            if is_estimated
-                && if_possible(self.refine_noise(model, &hypothesis, base))? == Some(true)
-            {
+            if is_estimated && matches!(self.refine_noise(model, &hypothesis, base), Ok(true)) {
                 if !self.is_significant() {
-                    return Ok(Vec::new());
+                    return Vec::new();
                 }
                 let from = &hypothesis.iterate;
                 fitted.extend(model.fit_hypothesis(&effects, from, &self.noise));
@@ -180,7 +177,7 @@ impl Search {
                 fitted.push(hypothesis);
             }
         }
-        Ok(fitted)
+        fitted
     }
 
     /// Fits a hypothesis that did not converge from the samples; the better fit is returned.
@@ -188,20 +185,17 @@ impl Search {
         &self,
         model: &ScoreTestModel<'_>,
         hypothesis: Hypothesis,
-    ) -> Result<Hypothesis, DiagnosisError> {
+    ) -> Hypothesis {
         let context = model.context;
-        let Some(extension) = if_possible(hypothesis.extension(model))? else {
-            return Ok(hypothesis);
+        let fitted = || {
+            let extension = hypothesis.extension(model).ok()?;
+            let fit = fit(&extension.model, context.dataset, &context.options.fit).ok()?;
+            let cache = TrajectoryCache::for_flights(model.flights.len());
+            let from = model.iterate_of(&fit)?;
+            model.fit_hypothesis_cached(&hypothesis.effects, &from, &self.noise, cache)
         };
-        let found = fit(&extension.model, context.dataset, &context.options.fit);
-        let Some(iterate) = if_possible(found)?.and_then(|fit| model.iterate_of(&fit)) else {
-            return Ok(hypothesis);
-        };
-        let cache = TrajectoryCache::for_flights(model.flights.len());
-        let effects = &hypothesis.effects;
-        let again = model.fit_hypothesis_cached(effects, &iterate, &self.noise, cache);
-        let again = again.filter(|again| again.squares < hypothesis.squares);
-        Ok(again.unwrap_or(hypothesis))
+        let again = fitted().filter(|again| again.squares < hypothesis.squares);
+        again.unwrap_or(hypothesis)
     }
 
     /// Estimates the noise with `given` included. If it differs, repeats all tests and returns true.
@@ -222,44 +216,38 @@ impl Search {
     }
 
     /// Stores the adequate ones of `fitted` as accepted; if none is, all as rejected; by ascending χ².
-    pub(super) fn classify(
-        &mut self,
-        model: &ScoreTestModel<'_>,
-        mut fitted: Vec<Hypothesis>,
-    ) -> Result<(), DiagnosisError> {
+    pub(super) fn classify(&mut self, model: &ScoreTestModel<'_>, mut fitted: Vec<Hypothesis>) {
         sort_by_number(&mut fitted, |hypothesis| hypothesis.squares);
-        let mut is_adequate = Vec::with_capacity(fitted.len());
-        for hypothesis in &fitted {
-            model.context.check_cancelled()?;
-            let found = model.is_adequate(hypothesis, &self.noise, self.at_base.thresholds);
-            let ok = if_possible(found)?.unwrap_or(false);
-            is_adequate.push(ok);
-        }
-        if is_adequate.contains(&true) {
-            let each = fitted.into_iter().zip(is_adequate);
-            let adequate = each.filter(|(_, is_adequate)| *is_adequate);
-            self.accepted = adequate.map(|(hypothesis, _)| hypothesis).collect();
-            self.add_common(model)?;
-        } else {
-            for hypothesis in &fitted {
+        let (adequate, others): (Vec<_>, Vec<_>) = fitted
+            .into_iter()
+            .partition(|hypothesis| self.is_adequate(model, hypothesis));
+        if adequate.is_empty() {
+            for hypothesis in &others {
                 self.note_nearest(model, hypothesis);
             }
-            self.rejected = fitted;
+            self.rejected = others;
+        } else {
+            self.accepted = adequate;
+            self.add_common(model);
         }
-        Ok(())
+    }
+
+    /// Whether a hypothesis is adequate; not if that cannot be tested.
+    fn is_adequate(&self, model: &ScoreTestModel<'_>, hypothesis: &Hypothesis) -> bool {
+        let found = model.is_adequate(hypothesis, &self.noise, self.at_base.thresholds);
+        found.unwrap_or(false)
     }
 
     /// Forward selection by one effect, then backward elimination; more than [`MAX_EFFECTS`] must become fewer.
-    pub fn add_effect(&mut self, model: &ScoreTestModel<'_>) -> Result<(), DiagnosisError> {
+    pub fn add_effect(&mut self, model: &ScoreTestModel<'_>) {
         let Some(count) = self.rejected.first().map(|h| h.effects.len() + 1) else {
-            return Ok(());
+            return;
         };
         if count > MAX_EFFECTS + 1 {
-            return Ok(());
+            return;
         }
         let mut fitted = Vec::new();
         for (effects, parent) in strongest_additions(&self.rejected, count) {
-            model.context.check_cancelled()?;
             if model.is_exhausted() {
                 break;
             }
@@ -267,15 +255,14 @@ impl Search {
             fitted.extend(model.fit_hypothesis(&effects, from, &self.noise));
         }
         if fitted.is_empty() {
-            return Ok(());
+            return;
         }
-        self.classify(model, fitted)?;
+        self.classify(model, fitted);
         // Starting from a better fit, one effect of an accepted hypothesis may prove unnecessary.
-        while let Some(fewer) = self.prune(model)? {
+        while let Some(fewer) = self.prune(model) {
             self.accepted = fewer;
         }
         self.accepted.retain(|h| h.effects.len() <= MAX_EFFECTS);
-        Ok(())
     }
 
     /// The hypothesis of `effects`, fitted from `from`, if it is adequate.
@@ -284,20 +271,16 @@ impl Search {
         model: &ScoreTestModel<'_>,
         effects: &[CandidateId],
         from: &Iterate,
-    ) -> Result<Option<Hypothesis>, DiagnosisError> {
-        let Some(hypothesis) = model.fit_hypothesis(effects, from, &self.noise) else {
-            return Ok(None);
-        };
-        let found = model.is_adequate(&hypothesis, &self.noise, self.at_base.thresholds);
-        Ok(if_possible(found)?.unwrap_or(false).then_some(hypothesis))
+    ) -> Option<Hypothesis> {
+        let hypothesis = model.fit_hypothesis(effects, from, &self.noise)?;
+        self.is_adequate(model, &hypothesis).then_some(hypothesis)
     }
 
     /// Adequate hypotheses with one effect fewer than the accepted ones; `None` if every effect is needed.
-    fn prune(&self, model: &ScoreTestModel<'_>) -> Result<Option<Vec<Hypothesis>>, DiagnosisError> {
+    fn prune(&self, model: &ScoreTestModel<'_>) -> Option<Vec<Hypothesis>> {
         let mut fewer: Vec<Hypothesis> = Vec::new();
         for hypothesis in self.accepted.iter().filter(|h| h.effects.len() > 1) {
             for dropped in &hypothesis.effects {
-                model.context.check_cancelled()?;
                 if model.is_exhausted() {
                     break;
                 }
@@ -307,11 +290,11 @@ impl Search {
                     continue;
                 }
                 let from = model.at_null_value(&hypothesis.iterate, *dropped);
-                fewer.extend(self.adequate(model, &rest, &from)?);
+                fewer.extend(self.adequate(model, &rest, &from));
             }
         }
         sort_by_number(&mut fewer, |hypothesis| hypothesis.squares);
-        Ok((!fewer.is_empty()).then_some(fewer))
+        (!fewer.is_empty()).then_some(fewer)
     }
 }
 

@@ -12,7 +12,7 @@ use crate::context::{
     EncompassingModel, LibraryTerms, LinearizationPoint, ScoreTestModel, TermId, TrajectoryCache,
     identifier,
 };
-use crate::error::{DiagnosisError, if_possible};
+use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::score_test::{ScoreTest, ScoreTests};
 use identify::numbers::significant;
@@ -120,25 +120,17 @@ impl StepwiseModel {
         model: &ScoreTestModel<'_>,
         search: &Search,
         beside: Option<&Hypothesis>,
-    ) -> Result<Option<Self>, DiagnosisError> {
-        let Some(terms) = &model.terms else {
-            return Ok(None);
-        };
+    ) -> Option<Self> {
+        let terms = model.terms.as_ref()?;
         let given = beside.map(|given| model.tests_given(given, &search.noise));
-        let given = match given {
-            Some(given) => match if_possible(given)? {
-                Some(given) => Some(given),
-                None => return Ok(None),
-            },
-            None => None,
-        };
+        let given = given.transpose().ok()?;
         let first = given.as_ref().unwrap_or(&search.at_base.tests);
         let effects = beside.map_or(&[][..], |given| given.effects.as_slice());
         let names = effects
             .iter()
             .map(|&id| identifier(&model.candidate(id).name));
         let next = next_term(first, search.at_base.thresholds.reject, &[]);
-        Ok(Some(Self {
+        Some(Self {
             effects: names.collect(),
             effect_unknowns: model.unknowns_of(effects),
             selected: Vec::new(),
@@ -151,7 +143,7 @@ impl StepwiseModel {
             is_adequate: false,
             has_significant_term: next.is_some(),
             next,
-        }))
+        })
     }
 
     /// [`start`](Self::start), then selects up to [`MAX_SELECTED`] terms.
@@ -160,12 +152,10 @@ impl StepwiseModel {
         search: &Search,
         before: &Fit,
         beside: Option<&Hypothesis>,
-    ) -> Result<Option<Self>, DiagnosisError> {
-        let mut found = Self::start(model, search, beside)?;
-        if let Some(stepwise) = &mut found {
-            stepwise.extend(model, search, before, MAX_SELECTED)?;
-        }
-        Ok(found)
+    ) -> Option<Self> {
+        let mut stepwise = Self::start(model, search, beside)?;
+        stepwise.extend(model, search, before, MAX_SELECTED);
+        Some(stepwise)
     }
 
     /// Selects the most significant term and fits again, up to `most` terms, while something is significant, a term
@@ -176,30 +166,27 @@ impl StepwiseModel {
         search: &Search,
         before: &Fit,
         most: usize,
-    ) -> Result<(), DiagnosisError> {
+    ) {
         let reject = search.at_base.thresholds.reject;
         while let Some((term, statistic)) = self.next.filter(|_| self.selected.len() < most) {
-            model.context.check_cancelled()?;
             // The remaining terms, each as strong as the next, must be able to explain as much.
             let following = (most - self.selected.len()) as f64;
             let promised = self.squares - following * statistic;
             let accepted = search.accepted.first();
-            if accepted.is_some_and(|accepted| !search.is_near(promised, accepted.squares)) {
-                return Ok(());
-            }
-            if model.context.is_out_of_time() {
-                return Ok(());
+            if accepted.is_some_and(|accepted| !search.is_near(promised, accepted.squares))
+                || model.context.is_out_of_time()
+            {
+                return;
             }
             let mut selected = self.selected.clone();
             selected.push(term);
             let before = self.fitted.last().map_or(before, |last| &last.fit);
             let step = fit_terms(model, search, before, (self, &selected));
             // A term that does not decrease the sum of squares is not selected.
-            let step = if_possible(step)?.flatten();
             let Some(Step { fitted, tests }) = step.filter(|s| s.fitted.squares <= self.squares)
             else {
                 self.next = None;
-                return Ok(());
+                return;
             };
             let remaining = tests.strongest_candidate();
             let is_rejected = remaining.is_some_and(|(_, test)| test.ln_p_value < reject);
@@ -213,7 +200,6 @@ impl StepwiseModel {
                 self.listed.push(term);
             }
         }
-        Ok(())
     }
 
     /// Sum of squares expected after the next term, by linearization.
@@ -223,16 +209,14 @@ impl StepwiseModel {
 }
 
 /// Fits the model with the selected terms, from `before`, and if that does not arrive, from the samples. `None` if it
-/// cannot be composed or used other flights.
+/// cannot be composed or fitted, or used other flights.
 fn fit_terms(
     model: &ScoreTestModel<'_>,
     search: &Search,
     before: &Fit,
     (stepwise, selected): (&StepwiseModel, &[TermId]),
-) -> Result<Option<Step>, DiagnosisError> {
-    let Some(terms) = &model.terms else {
-        return Ok(None);
-    };
+) -> Option<Step> {
+    let terms = model.terms.as_ref()?;
     let context = model.context;
     let options = context.options;
     let effect = |&term: &TermId| {
@@ -242,21 +226,19 @@ fn fit_terms(
         terms.effect(term, &doc)
     };
     let effects: Vec<EffectTree> = selected.iter().map(effect).collect();
-    let Ok(extension) = ExtendedModel::new(context.model, &stepwise.effects, &effects) else {
-        return Ok(None);
-    };
-    let from_before = refit(&extension.model, context.dataset, &options.fit, before)?;
+    let extension = ExtendedModel::new(context.model, &stepwise.effects, &effects).ok()?;
+    let from_before = refit(&extension.model, context.dataset, &options.fit, before).ok()?;
     let status = from_before.report.iterations.status;
-    let arrived = step(model, search, extension.clone(), from_before)?;
+    let arrived = step(model, search, extension.clone(), from_before).ok()?;
     let is_minimum = matches!(status, FitStatus::Converged | FitStatus::NoiseNotConverged);
     let has_arrived = |step: &Step| is_minimum && step.fitted.squares <= stepwise.squares;
     if arrived.as_ref().is_some_and(has_arrived) {
-        return Ok(arrived);
+        return arrived;
     }
-    let from_samples = fit(&extension.model, context.dataset, &options.fit)?;
-    let again = step(model, search, extension, from_samples)?;
+    let from_samples = fit(&extension.model, context.dataset, &options.fit).ok()?;
+    let again = step(model, search, extension, from_samples).ok()?;
     let both = arrived.into_iter().chain(again);
-    Ok(both.min_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares)))
+    both.min_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares))
 }
 
 /// Score tests at a fit of `extension`; `None` if it used other flights.

@@ -1,12 +1,12 @@
 //! Out-of-sample gain of extended models, by 2-fold cross-validation over flights or on held-out ones.
 
 use flight::parallel;
-use identify::{CONDITIONING_FRACTION, Fit, FitError, FitOptions, FlightId, Moments, fit, refit};
+use identify::{CONDITIONING_FRACTION, Fit, FitOptions, FlightId, Moments, fit, refit};
 use model_spec::model::Model;
 
 use super::predictive_gain::{Predictions, PredictiveGain, held_out_gain, predictions, summarize};
 use crate::context::{Context, ScoreTestModel, identifier};
-use crate::error::{DiagnosisError, if_possible};
+use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::selection::{Hypothesis, StepwiseModel};
 use dataset::{Dataset, Role};
@@ -21,9 +21,9 @@ pub(crate) fn cross_validate(
     options: &FitOptions<'_>,
     apply_to: ApplyTo,
     noise_m: f64,
-) -> Result<Option<PredictiveGain>, FitError> {
+) -> Option<PredictiveGain> {
     if dataset.flights.len() < 2 {
-        return Ok(None);
+        return None;
     }
     let threads = options.threads();
     let options = FitOptions {
@@ -38,19 +38,13 @@ pub(crate) fn cross_validate(
     });
     let mut all = Predictions::default();
     for pair in fits.chunks(2) {
-        match (&pair[0], &pair[1]) {
-            (Err(FitError::Interrupted), _) | (_, Err(FitError::Interrupted)) => {
-                return Err(FitError::Interrupted);
-            }
-            (Ok(before), Ok(after)) => {
-                let not_applied = apply_to.exceptions(before, after);
-                let (before, after) = (&before.report, &after.report);
-                all.join(predictions(before, after, &not_applied, noise_m));
-            }
-            _ => {}
+        if let [Ok(before), Ok(after)] = pair {
+            let not_applied = apply_to.exceptions(before, after);
+            let (before, after) = (&before.report, &after.report);
+            all.join(predictions(before, after, &not_applied, noise_m));
         }
     }
-    Ok(summarize(all, noise_m, false))
+    summarize(all, noise_m, false)
 }
 
 /// Gain of the second model over the first, each with its fit: on held-out flights of the dataset, or else by
@@ -59,10 +53,10 @@ pub(super) fn out_of_sample_gain(
     context: Context<'_>,
     models: [(&Model, &Fit); 2],
     noise_m: f64,
-) -> Result<Option<PredictiveGain>, FitError> {
+) -> Option<PredictiveGain> {
     if context.has_held_out() {
         let [before, after] = models.map(|(_, fit)| &fit.report);
-        return Ok(held_out_gain(before, after, noise_m));
+        return held_out_gain(before, after, noise_m);
     }
     let (options, all) = (&context.options.fit, ApplyTo::AllFlights);
     cross_validate(models, context.dataset, options, all, noise_m)
@@ -88,20 +82,20 @@ pub(crate) fn predictive_terms(
     context: Context<'_>,
     stepwise: &StepwiseModel,
     noise_m: f64,
-) -> Result<usize, DiagnosisError> {
+) -> usize {
     let mut count = stepwise.fitted.len().min(1);
     for pair in stepwise.fitted.windows(2) {
         if context.is_out_of_time() {
             break;
         }
         let models = [&pair[0], &pair[1]].map(|terms| (&terms.extension.model, &terms.fit));
-        let gain = if_possible(out_of_sample_gain(context, models, noise_m))?.flatten();
+        let gain = out_of_sample_gain(context, models, noise_m);
         if !gain.is_some_and(|gain| gain.is_improvement()) {
             break;
         }
         count += 1;
     }
-    Ok(count)
+    count
 }
 
 // Validation of overflexible hypotheses, which fit misfits of any origin: a true one also improves predictions.
@@ -138,7 +132,7 @@ impl ChosenExtension {
         let extension = hypothesis.extension(model)?;
         let fit = fit(&extension.model, context.dataset, &context.options.fit)?;
         let models = [(context.model, before), (&extension.model, &fit)];
-        let gain = out_of_sample_gain(context, models, noise_m)?;
+        let gain = out_of_sample_gain(context, models, noise_m);
         Ok(Self {
             fit: Some(fit),
             gain,

@@ -5,9 +5,8 @@ use nalgebra::DVector;
 use super::output_error::OutputError;
 use super::reweighting::Reweighted;
 use super::state::State;
-use super::{FitError, solve_error};
 use crate::least_squares::{
-    Iterate, LeastSquaresProblem, ReducedSystem, Solution, SolveError, StoppingCriteria, solve,
+    Iterate, LeastSquaresProblem, ReducedSystem, Solution, StoppingCriteria, solve,
 };
 use crate::predict::Loss;
 use crate::report::NonIdentifiable;
@@ -32,11 +31,11 @@ pub fn contradicted_errors(
     fitted: &Reweighted,
     (system, covariance): (&ReducedSystem<'_>, &Covariance),
     directions: &[NonIdentifiable],
-) -> Result<Vec<String>, FitError> {
+) -> Vec<String> {
     let (problem, options) = (state.problem, state.options);
     // The fits of a diagnosis, whose faults are known, compare models; none of them is reported.
     if directions.is_empty() || options.known_faults.is_some() {
-        return Ok(Vec::new());
+        return Vec::new();
     }
     let loss = Loss::Whitened(&fitted.noise);
     let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
@@ -60,11 +59,10 @@ pub fn contradicted_errors(
             let mut alone = best.clone();
             alone.global[index] = value;
             let starts = [moved(best, &objective, system, &step), alone];
-            let rise = match fit_from(&objective, starts) {
-                Ok(Some(moved)) => moved.squares - fitted.solution.squares,
-                Ok(None) => continue,
-                Err(error) => return Err(solve_error(error, &objective.flights)),
+            let Some(moved) = fit_from(&objective, starts) else {
+                continue;
             };
+            let rise = moved.squares - fitted.solution.squares;
             if !RISES.contains(&rise) {
                 let why = format!(
                     "the standard error of {name} does not hold: at {side} standard errors the deviance changes by {rise:.1}, not by {}",
@@ -76,21 +74,15 @@ pub fn contradicted_errors(
         }
         objective.constraints[index].bounds = bounds;
     }
-    Ok(found)
+    found
 }
 
 /// Fit from the first of `starts` at which all flights can be predicted; `None` if there is none.
-fn fit_from(
-    objective: &OutputError<'_>,
-    starts: [Iterate; 2],
-) -> Result<Option<Solution>, SolveError> {
-    for start in starts {
-        match solve(objective, start, RISE) {
-            Err(SolveError::Start(_)) => {}
-            found => return found.map(Some),
-        }
-    }
-    Ok(None)
+fn fit_from(objective: &OutputError<'_>, starts: [Iterate; 2]) -> Option<Solution> {
+    let mut fits = starts
+        .into_iter()
+        .map(|start| solve(objective, start, RISE));
+    fits.find_map(Result::ok)
 }
 
 /// The iterate `from` after a step of the global parameters, within their bounds; the local parameters follow by the

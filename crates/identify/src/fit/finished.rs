@@ -47,6 +47,7 @@ impl Fit {
             local: local.to_vec(),
         };
         let solution = solve(&objective, start, StoppingCriteria::CONVERGED);
+        options.check_cancelled()?;
         solution.map_err(|error| solve_error(error, &objective.flights))
     }
 
@@ -78,13 +79,10 @@ impl Fit {
             global: self.global.clone(),
             local: drawn.iter().map(|flight| flight.state.clone()).collect(),
         };
-        match solve(&objective, start, StoppingCriteria::CONVERGED) {
-            Ok(solution) => Ok(solution.converged().then_some(solution.iterate.global)),
-            Err(error) => match solve_error(error, &objective.flights) {
-                FitError::Interrupted => Err(FitError::Interrupted),
-                _ => Ok(None),
-            },
-        }
+        let solution = solve(&objective, start, StoppingCriteria::CONVERGED).ok();
+        options.check_cancelled()?;
+        let converged = solution.filter(Solution::converged);
+        Ok(converged.map(|solution| solution.iterate.global))
     }
 
     /// Text of `model` whose default values are the known parameters of the dataset and the estimates; `note`

@@ -9,7 +9,7 @@ use super::outcome::{flight_report, initial_state_report, seen};
 use super::output_error::FixedGlobal;
 use super::post_fit::{channel_sums, square_sums};
 use super::summaries::initial_state;
-use super::{FitError, FittedFlight, FlightResult, left_out};
+use super::{FittedFlight, FlightResult, left_out};
 use crate::error::FlightError;
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
@@ -85,12 +85,12 @@ pub fn held_out<'a>(
     (flights, start): (&[FlightId], &(dyn Fn(FlightId) -> Start<'a> + Sync)),
     noise: &NoiseModel,
     population: &[StatePrior],
-) -> Result<Vec<FlightResult>, FitError> {
+) -> Vec<FlightResult> {
     let options = at.options;
     if !flights.is_empty() {
         options.stage_started("held-out flights", flights.len());
     }
-    let found = parallel::each_on(options.threads(), flights.len(), |index| {
+    parallel::each_on(options.threads(), flights.len(), |index| {
         let start = start(flights[index]);
         let flight = flights[index].index();
         let search = contacts.get(flight).and_then(Option::as_ref);
@@ -101,11 +101,7 @@ pub fn held_out<'a>(
         };
         options.flight_done();
         found.unwrap_or_else(|reason| left_out(flight, &reason))
-    });
-    if options.is_cancelled() {
-        return Err(FitError::Interrupted);
-    }
-    Ok(found)
+    })
 }
 
 fn predict(

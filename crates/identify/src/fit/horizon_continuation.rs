@@ -5,7 +5,7 @@ use super::FitError;
 use super::output_error::{MAX_SCALES, OutputError};
 use super::residual_cache::{ResidualCache, solve_flights};
 use super::state::State;
-use crate::least_squares::{Constraint, SolveError, StoppingCriteria, solve};
+use crate::least_squares::{Constraint, StoppingCriteria, solve};
 use crate::levels::{AT_NOISE, CLEARLY_SMALLER, ROUGHLY_NOISE};
 use crate::predict::Loss;
 use crate::problem::FitProblem;
@@ -36,7 +36,7 @@ pub fn continue_horizon(state: &mut State<'_>) -> Result<ResidualCache, FitError
     while horizon < longest / MIN_REMAINING_GROWTH && !options.is_past_deadline() {
         options.stage_started(&format!("first {horizon:.1} s"), state.flights.len());
         // From good initial guesses, one step is enough.
-        if step_to_noise(state, &until(horizon, &constraints))?.is_none() {
+        if step_to_noise(state, &until(horizon, &constraints)).is_none() {
             fit_horizon(state, horizon, ResidualCache::median_scale)?;
         }
         horizon *= HORIZON_GROWTH;
@@ -44,7 +44,7 @@ pub fn continue_horizon(state: &mut State<'_>) -> Result<ResidualCache, FitError
     options.stage_started("whole flights", state.flights.len());
     if horizon > FIRST_HORIZON
         && !options.is_past_deadline()
-        && let Some(cache) = step_to_noise(state, &|_, _| {})?
+        && let Some(cache) = step_to_noise(state, &|_, _| {})
     {
         return Ok(cache);
     }
@@ -55,17 +55,17 @@ pub fn continue_horizon(state: &mut State<'_>) -> Result<ResidualCache, FitError
 fn step_to_noise(
     state: &mut State<'_>,
     configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
-) -> Result<Option<ResidualCache>, FitError> {
+) -> Option<ResidualCache> {
     let start = state.iterate();
     let sigma0 = state.problem.sigma0;
     // Another scale would cost an integration of the residuals before the step.
-    let step = single_step(state, Loss::Huber(ROUGHLY_NOISE * sigma0), configure)?;
+    let step = single_step(state, Loss::Huber(ROUGHLY_NOISE * sigma0), configure);
     let residuals = step.map(|step| step.residuals);
     let noise = residuals.filter(|residuals| are_noise(residuals, sigma0));
     if noise.is_none() {
         state.set(start);
     }
-    Ok(noise)
+    noise
 }
 
 /// Whether the residuals of all flights are at noise level, given the initial noise estimate `sigma0`, m.
@@ -87,20 +87,16 @@ fn single_step(
     state: &mut State<'_>,
     loss: Loss<'_>,
     configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
-) -> Result<Option<UnevaluatedStep>, FitError> {
+) -> Option<UnevaluatedStep> {
     let mut objective = OutputError::of_all(state.problem, &state.flights, loss, state.options);
     configure(state, &mut objective);
     let samples = objective.samples.clone();
-    let solution = match solve(&objective, state.iterate(), StoppingCriteria::SINGLE_STEP) {
-        Ok(solution) => solution,
-        Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
-        Err(SolveError::Start(_)) => return Ok(None),
-    };
+    let solution = solve(&objective, state.iterate(), StoppingCriteria::SINGLE_STEP).ok()?;
     state.take(&solution);
-    Ok(Some(UnevaluatedStep {
+    Some(UnevaluatedStep {
         residuals: ResidualCache::new(state, &samples),
         predicted_reduction: solution.predicted_reduction,
-    }))
+    })
 }
 
 /// One step over whole flights, undone if the median residual scale grows by more than 10 % or a flight cannot be
@@ -109,9 +105,9 @@ pub fn unevaluated_step(
     state: &mut State<'_>,
     loss: Loss<'_>,
     before: &ResidualCache,
-) -> Result<Option<UnevaluatedStep>, FitError> {
+) -> Option<UnevaluatedStep> {
     let start = state.iterate();
-    let step = single_step(state, loss, &|_, _| {})?;
+    let step = single_step(state, loss, &|_, _| {});
     let accepted = step.filter(|step| {
         let is_predicted = step.residuals.scales().iter().all(Option::is_some);
         is_predicted && step.residuals.median_scale() <= AT_NOISE * before.median_scale()
@@ -119,7 +115,7 @@ pub fn unevaluated_step(
     if accepted.is_none() {
         state.set(start);
     }
-    Ok(accepted)
+    accepted
 }
 
 /// Bounds and priors of the global parameters. Those without a prior get a weak one, as short parts of flights do not

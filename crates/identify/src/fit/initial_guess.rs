@@ -144,16 +144,10 @@ pub fn initial_guesses<'a>(
     let mut state = State::new(problem, options, problem.model_values(), interval);
     let at = state.fixed_global();
     let found = parallel::each_on(options.threads(), usable.len(), |index| {
-        if options.is_cancelled() {
-            return Err(FlightError::Interrupted);
-        }
         let found = refined_guesses(at, &usable[index].1);
         options.flight_done();
         found
     });
-    if options.is_cancelled() {
-        return Err(FitError::Interrupted);
-    }
     let mut alternatives = Vec::new();
     for ((flight, observations), found) in usable.into_iter().zip(found) {
         match found {

@@ -117,17 +117,20 @@ fn fit_after(
     options.validate()?;
     parallel::within(options.threads(), || {
         let found = fit_within(model, dataset, options, earlier);
-        let mut faults = trial::other_unit(model, dataset, options, &found)?;
+        options.check_cancelled()?;
+        let mut faults = trial::other_unit(model, dataset, options, &found);
         if faults.is_empty() {
-            faults = trial::frames_of_poses(model, dataset, options, &found)?;
+            faults = trial::frames_of_poses(model, dataset, options, &found);
         }
+        options.check_cancelled()?;
         if !faults.is_empty() {
             return Err(FitError::FaultyData(faults));
         }
         let mut fit = found?;
         // The fits of a diagnosis, whose faults are known, hold what its first fit held.
         if options.known_faults.is_none() && !options.fixed.is_empty() {
-            let conflicts = trial::conflicts(model, dataset, options, &fit)?;
+            let conflicts = trial::conflicts(model, dataset, options, &fit);
+            options.check_cancelled()?;
             fit.report.contradicted.extend(conflicts);
             fit.report.assess();
         }
@@ -155,10 +158,11 @@ fn fit_within(
     if vertical::is_in(model) {
         data_faults.retain(|fault| fault.fault != FaultKind::Axes);
     }
-    trial::remove_refuted(model, dataset, options, &mut data_faults)?;
+    trial::remove_refuted(model, dataset, options, &mut data_faults);
     if data_faults.is_empty() {
-        data_faults = trial::mirrored(model, dataset, &problem, options)?;
+        data_faults = trial::mirrored(model, dataset, &problem, options);
     }
+    options.check_cancelled()?;
     let faulty = screening::excluded(dataset, &data_faults, options);
     let is_faulty = |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);
     fitted.retain(|flight| !is_faulty(flight));
@@ -198,7 +202,7 @@ fn fit_within(
     let observed = initial_guess::observe(&problem, dataset, &fitted, contacts, options);
     let flights = (dataset, &fitted[..]);
     let observed =
-        predicted_changes::without_predicted(&problem, flights, contacts, observed, options)?;
+        predicted_changes::without_predicted(&problem, flights, contacts, observed, options);
     initial_guess::set_noise(&mut problem, &observed, summaries.observations());
     let noise_floor = observed.noise_floor;
     let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
@@ -245,6 +249,7 @@ impl Screened<'_> {
         started: f64,
     ) -> Result<Fit, FitError> {
         let (dataset, problem, options) = (self.dataset, state.problem, state.options);
+        options.check_cancelled()?;
         let reweighted = single_flights::take_back(dataset, &mut state, reweighted)?;
         let solved = self.clock.elapsed().as_secs_f64();
         let names: Vec<String> = dataset.markers.iter().map(|m| m.name.clone()).collect();
@@ -267,7 +272,7 @@ impl Screened<'_> {
         let at = state.fixed_global();
         let start = |flight: FlightId| self.earlier?.flight(flight);
         let predicted =
-            held_out::held_out(at, flights, (&self.held_out, &start), &noise, &population)?;
+            held_out::held_out(at, flights, (&self.held_out, &start), &noise, &population);
         let mut results: BTreeMap<FlightId, FlightResult> = BTreeMap::new();
         for excluded in state.excluded.iter().chain(&self.faulty) {
             let flight = &dataset.flights[excluded.flight.index()];
@@ -418,12 +423,9 @@ impl Fit {
 
 /// Converts an error of the solver, whose indices refer to `flights`.
 fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
-    match error {
-        SolveError::Start(failures) => match failures.into_iter().next() {
-            Some((flight, reason)) => flight_error(flights[flight].borrow(), reason),
-            None => FitError::NothingToFit,
-        },
-        SolveError::Cancelled => FitError::Interrupted,
+    match error.0.into_iter().next() {
+        Some((flight, reason)) => flight_error(flights[flight].borrow(), reason),
+        None => FitError::NothingToFit,
     }
 }
 

@@ -11,7 +11,7 @@ use super::output_error::OutputError;
 use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit, square_sums};
 use super::reweighting::Reweighted;
 use super::state::State;
-use super::{FitError, filtered, flight_error, marker_distances, solve_error, summary_noise};
+use super::{FitError, filtered, flight_error, marker_distances, summary_noise};
 use crate::channel::{MARKER, POSITION};
 use crate::error::FlightError;
 use crate::ids::GlobalId;
@@ -43,7 +43,7 @@ pub fn reports(
         flight_error(flight, FlightError::SingularInitialState)
     })?;
     let covariance = Covariance::new(&system, state.flights.len(), &problem.globals);
-    let profiles = profiles(state, fitted, &covariance)?;
+    let profiles = profiles(state, fitted, &covariance);
     let evaluated = evaluate(state, fitted, &system, &covariance)?;
     let mut pool = ResidualPool::default();
     let layout = problem.body.layout();
@@ -75,7 +75,7 @@ pub fn reports(
     );
     let mut doubts = state.doubts.clone();
     let at = (&system, &covariance);
-    doubts.extend(contradicted_errors(state, fitted, at, &not_identifiable)?);
+    doubts.extend(contradicted_errors(state, fitted, at, &not_identifiable));
     let doubt_of_summaries = summary_noise::doubt(state, &fitted.noise, &covariance.model)
         .map_err(|reason| flight_error(&state.flights[0], reason))?;
     let report = FitReport {
@@ -286,11 +286,7 @@ fn coefficients(
 }
 
 /// Profile likelihoods of the parameters in [`FitOptions::profiles`](crate::FitOptions::profiles).
-fn profiles(
-    state: &State<'_>,
-    fitted: &Reweighted,
-    covariance: &Covariance,
-) -> Result<Vec<Profile>, FitError> {
+fn profiles(state: &State<'_>, fitted: &Reweighted, covariance: &Covariance) -> Vec<Profile> {
     let (problem, options) = (state.problem, state.options);
     let errors = covariance.errors();
     let mut profiles = Vec::new();
@@ -308,9 +304,9 @@ fn profiles(
         };
         let (id, error) = (GlobalId::new(index), errors[index]);
         let found = profile(fit_at, &fitted.solution, &problem.globals, id, error);
-        profiles.push(found.map_err(|error| solve_error(error, &state.flights))?);
+        profiles.push(found);
     }
-    Ok(profiles)
+    profiles
 }
 
 /// Residual statistics and report of every fitted flight.
@@ -322,9 +318,6 @@ fn evaluate(
 ) -> Result<Vec<(PostFit, FlightReport)>, FitError> {
     let (problem, options) = (state.problem, state.options);
     let each = parallel::each_on(options.threads(), state.flights.len(), |index| {
-        if options.is_cancelled() {
-            return Err(FitError::Interrupted);
-        }
         let observations = &state.flights[index];
         let path = fitted.cache.path(&state.flights, index)?;
         let post_fit = post_fit(problem, observations, &fitted.noise, &state.global, path);

@@ -97,10 +97,6 @@ impl LeastSquaresProblem for OutputError<'_> {
         self.threads
     }
 
-    fn is_cancelled(&self) -> bool {
-        self.options.is_cancelled()
-    }
-
     fn is_past_deadline(&self) -> bool {
         self.options.is_past_deadline()
     }
@@ -197,12 +193,9 @@ impl FixedGlobal<'_> {
             local: vec![local],
         };
         let solution = solve(&objective, start, criteria);
-        let solution = solution.map_err(|error| match error {
-            SolveError::Start(failures) => {
-                let first = failures.into_iter().next();
-                first.map_or(FlightError::NoMatchingState, |(_, reason)| reason)
-            }
-            SolveError::Cancelled => FlightError::Interrupted,
+        let solution = solution.map_err(|SolveError(failures)| {
+            let first = failures.into_iter().next();
+            first.map_or(FlightError::NoMatchingState, |(_, reason)| reason)
         })?;
         Ok((solution.iterate.local[0].clone(), solution))
     }

@@ -29,23 +29,20 @@ pub fn without_predicted(
     contacts: &mut Vec<Option<ContactSearch>>,
     observed: ObservedFlights,
     options: &FitOptions<'_>,
-) -> Result<ObservedFlights, FitError> {
+) -> ObservedFlights {
     let flights = observed.usable.iter();
     let cut = flights.filter(|(_, flight)| flight.truncation.is_some());
     let cut: Vec<CutFlight> = cut.map(|(id, flight)| (*id, flight.times.len())).collect();
     if cut.is_empty() || !(options.trust_data || may_change_suddenly(&problem.model)) {
-        return Ok(observed);
+        return observed;
     }
     let mut whole = contacts.clone();
     whole.resize(dataset.flights.len(), None);
     cut.iter()
         .for_each(|(id, _)| remove_contact(&mut whole, *id));
-    let trial = match predicted(problem, (dataset, fitted), (&whole, &cut), options) {
-        Err(FitError::Interrupted) => return Err(FitError::Interrupted),
-        found => found.unwrap_or_default(),
-    };
+    let trial = predicted(problem, (dataset, fitted), (&whole, &cut), options).unwrap_or_default();
     if trial.is_empty() {
-        return Ok(observed);
+        return observed;
     }
     contacts.resize(dataset.flights.len(), None);
     trial.iter().for_each(|id| remove_contact(contacts, *id));
@@ -54,7 +51,7 @@ pub fn without_predicted(
         let held_out = flights.filter(|(_, flight)| flight.role == Role::HeldOut);
         held_out.for_each(|(index, _)| remove_contact(contacts, FlightId::new(index)));
     }
-    Ok(observe(problem, dataset, fitted, contacts, options))
+    observe(problem, dataset, fitted, contacts, options)
 }
 
 fn remove_contact(contacts: &mut [Option<ContactSearch>], flight: FlightId) {

@@ -49,12 +49,6 @@ impl ResidualCache {
         let (problem, options) = (state.problem, state.options);
         let count = state.flights.len();
         Self(parallel::each_on(options.threads(), count, |flight| {
-            if options.is_cancelled() {
-                return CachedFlight {
-                    path: Err(FlightError::Interrupted),
-                    scale: None,
-                };
-            }
             let (observations, global) = (&state.flights[flight], &state.global);
             let unknowns = (global, &state.local[flight]);
             let path = states(problem, observations, unknowns, samples[flight]);
@@ -153,8 +147,7 @@ pub fn solve_flights(
         drop(objective);
         match solved {
             Ok(solution) => return Ok(solution),
-            Err(SolveError::Start(failures)) => state.exclude(failures)?,
-            Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
+            Err(SolveError(failures)) => state.exclude(failures)?,
         }
     }
 }
@@ -164,9 +157,6 @@ pub fn exclude_failed(
     state: &mut State<'_>,
     mut cache: ResidualCache,
 ) -> Result<ResidualCache, FitError> {
-    if state.options.is_cancelled() {
-        return Err(FitError::Interrupted);
-    }
     let failures = cache.failures();
     if !failures.is_empty() {
         cache.remove(&failures);

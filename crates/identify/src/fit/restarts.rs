@@ -282,7 +282,7 @@ fn shoot<'a>(
     if let Some((parameter, value)) = changed {
         state.global[parameter] = value;
     }
-    let Some(mut arcs) = arcs(&state)? else {
+    let Some(mut arcs) = arcs(&state) else {
         return Ok(None);
     };
     loop {
@@ -309,7 +309,7 @@ fn shoot<'a>(
 }
 
 /// Divides all flights into arcs, each with its initial guess; `None` if no arc has an initial guess.
-fn arcs<'a>(state: &State<'a>) -> Result<Option<State<'a>>, FitError> {
+fn arcs<'a>(state: &State<'a>) -> Option<State<'a>> {
     let (problem, options) = (state.problem, state.options);
     let mut cut = Vec::new();
     for (&id, flight) in state.ids.iter().zip(&state.flights) {
@@ -325,19 +325,15 @@ fn arcs<'a>(state: &State<'a>) -> Result<Option<State<'a>>, FitError> {
         }
     }
     let guesses = parallel::each_on(options.threads(), cut.len(), |index| {
-        let is_wanted = !options.is_cancelled();
-        is_wanted.then(|| guess(problem, &cut[index].1))?
+        guess(problem, &cut[index].1)
     });
-    if options.is_cancelled() {
-        return Err(FitError::Interrupted);
-    }
     let mut arcs = state.without_flights();
     for ((id, arc), guess) in cut.into_iter().zip(guesses) {
         if let Some(guess) = guess {
             arcs.push(id, arc, guess);
         }
     }
-    Ok((!arcs.flights.is_empty()).then_some(arcs))
+    (!arcs.flights.is_empty()).then_some(arcs)
 }
 
 /// Joins each group of `ARCS.1` consecutive arcs, with the initial state of the first; `false` if all are whole flights

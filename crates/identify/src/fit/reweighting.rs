@@ -94,7 +94,7 @@ fn agree(
         if round == 0
             && predicted_reduction.is_none()
             && !options.is_past_deadline()
-            && let Some(step) = unevaluated_step(state, loss, &cache)?
+            && let Some(step) = unevaluated_step(state, loss, &cache)
         {
             (cache, predicted_reduction) = (step.residuals, step.predicted_reduction);
             continue;

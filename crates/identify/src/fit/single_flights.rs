@@ -56,9 +56,6 @@ pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<Residua
         options.flight_done();
         found
     });
-    if options.is_cancelled() {
-        return Err(FitError::Interrupted);
-    }
     let has_improved = found.iter().any(Option::is_some);
     for (&flight, found) in suspects.iter().zip(found) {
         if let Some((local, note)) = found {
@@ -162,7 +159,7 @@ fn fit_without<'a>(
     let before = without.excluded.len();
     for &flight in suspects {
         let (observations, local) = (&state.flights[flight], &state.local[flight]);
-        let (scale, local) = refitted(without.fixed_global(), observations, local)?;
+        let (scale, local) = refitted(without.fixed_global(), observations, local);
         if scale > HOPELESS * usual {
             without.excluded.push(ExcludedFlight {
                 flight: state.ids[flight],
@@ -190,15 +187,12 @@ fn refitted(
     at: FixedGlobal<'_>,
     observations: &Observations,
     start: &DVector<f64>,
-) -> Result<(f64, DVector<f64>), FitError> {
+) -> (f64, DVector<f64>) {
     let samples = observations.times.len();
-    let local = match at.fit_initial_state(observations, samples, start.clone()) {
-        Ok((_, local)) => local,
-        Err(FlightError::Interrupted) => return Err(FitError::Interrupted),
-        Err(_) => start.clone(),
-    };
+    let fitted = at.fit_initial_state(observations, samples, start.clone());
+    let local = fitted.map_or_else(|_| start.clone(), |(_, local)| local);
     let scale = at.residual_scale(observations, &local, samples);
-    Ok((scale.unwrap_or(f64::INFINITY), local))
+    (scale.unwrap_or(f64::INFINITY), local)
 }
 
 /// Includes excluded flights that the model predicts about as well as the others, and fits all again. Far from the
@@ -227,9 +221,6 @@ pub fn take_back(
             options.flight_done();
             found
         });
-        if options.is_cancelled() {
-            return Err(FitError::Interrupted);
-        }
         let mut with = state.clone();
         with.excluded = kept;
         for (excluded, found) in tried.into_iter().zip(found) {

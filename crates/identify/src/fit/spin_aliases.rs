@@ -54,13 +54,16 @@ pub fn resolve(guesses: InitialGuesses<'_>) -> Result<(State<'_>, ResidualCache)
         .map(|alias| vec![*alias; alternatives.len()])
         .collect();
     for turns in &common {
-        arrivals.add(with_turns(&state, alternatives, turns), converged)?;
+        arrivals.add(with_turns(&state, alternatives, turns), converged);
     }
     let mut arrived = arrivals.fits.iter();
     if !arrived.any(|fit| is_noise_of(scale_of(fit), &state)) {
         for turns in further_choices(&state, alternatives, &common) {
-            arrivals.add(with_turns(&state, alternatives, &turns), converged)?;
+            arrivals.add(with_turns(&state, alternatives, &turns), converged);
         }
+    }
+    if arrivals.fits.is_empty() {
+        return arrivals.take(0, None);
     }
     let fits = &arrivals.fits;
     let scale = |place: usize| scale_of(&fits[place]);

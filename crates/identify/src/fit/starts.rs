@@ -53,20 +53,18 @@ pub(super) struct Arrivals<'a> {
 }
 
 impl<'a> Arrivals<'a> {
-    /// Fits from a start by `refine`; an error if the work is cancelled.
+    /// Fits from a start by `refine`.
     pub fn add(
         &mut self,
         mut start: State<'a>,
         refine: impl Fn(&mut State<'a>) -> Result<ResidualCache, FitError>,
-    ) -> Result<(), FitError> {
+    ) {
         match refine(&mut start) {
             Ok(cache) => self.fits.push((start, cache)),
-            Err(FitError::Interrupted) => return Err(FitError::Interrupted),
             Err(error) => {
                 self.failure.get_or_insert(error);
             }
         }
-        Ok(())
     }
 
     /// The fit with the index `best`, and `doubt` about it.
@@ -76,7 +74,7 @@ impl<'a> Arrivals<'a> {
         doubt: Option<String>,
     ) -> Result<(State<'a>, ResidualCache), FitError> {
         if self.fits.is_empty() {
-            return Err(self.failure.unwrap_or(FitError::Interrupted));
+            return Err(self.failure.unwrap_or(FitError::NothingToFit));
         }
         let (mut state, cache) = self.fits.swap_remove(best);
         state.doubts.extend(doubt);
@@ -149,7 +147,7 @@ fn best_minimum<'a>(
             arrivals.add(tried, |state| {
                 continue_horizon(state)?;
                 anneal_scale(state)
-            })?;
+            });
         }
         if least_deviance(&arrivals.fits).1 > 1 {
             break;

@@ -41,7 +41,7 @@ pub fn remove_refuted(
     dataset: &Dataset,
     options: &FitOptions<'_>,
     faults: &mut Vec<DataFault>,
-) -> Result<(), FitError> {
+) {
     let is_common = |flight: &Flight| {
         let mut own = faults.iter().filter(|fault| fault.file == flight.file);
         own.clone().next().is_some() && own.all(|fault| rests_on_loads(fault.fault))
@@ -49,9 +49,9 @@ pub fn remove_refuted(
     let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
     let to_fit = to_fit.filter(|flight| !dataset.is_summary(flight));
     if options.trust_data || !to_fit.clone().all(is_common) {
-        return Ok(());
+        return;
     }
-    if let Some(fit) = tried(model, dataset, to_fit.cloned(), options)? {
+    if let Some(fit) = tried(model, dataset, to_fit.cloned(), options) {
         let is_noise = lacks_fit(&fit, options).is_some_and(|(fails, _)| !fails);
         faults.retain(|fault| match fault.fault {
             // A hand pushes about as hard as the model may.
@@ -59,7 +59,6 @@ pub fn remove_refuted(
             kind => !(rests_on_loads(kind) && flies_as_recorded(&fit)),
         });
     }
-    Ok(())
 }
 
 /// Fit of a few of `flights`, which take the place of those of the dataset, as they are; `None` if it has no result.
@@ -68,7 +67,7 @@ fn tried(
     dataset: &Dataset,
     flights: impl Iterator<Item = Flight>,
     options: &FitOptions<'_>,
-) -> Result<Option<Fit>, FitError> {
+) -> Option<Fit> {
     let few = Dataset {
         flights: flights.take(FLIGHTS).collect(),
         ..dataset.clone()
@@ -78,10 +77,7 @@ fn tried(
         profiles: &[],
         ..*options
     };
-    match fit_within(model, &few, &as_they_are, None) {
-        Err(FitError::Interrupted) => Err(FitError::Interrupted),
-        found => Ok(found.ok()),
-    }
+    fit_within(model, &few, &as_they_are, None).ok()
 }
 
 /// [`tried`], if the fit is reliable, also by the tests of its residuals.
@@ -90,10 +86,10 @@ fn tried_reliably(
     dataset: &Dataset,
     flights: impl Iterator<Item = Flight>,
     options: &FitOptions<'_>,
-) -> Result<Option<Fit>, FitError> {
-    let found = tried(model, dataset, flights, options)?;
-    let tested = found.and_then(|fit| fit.with_lack_of_fit(options.threads()).ok());
-    Ok(tested.filter(|fit| fit.report.reliable))
+) -> Option<Fit> {
+    let fit = tried(model, dataset, flights, options)?;
+    let tested = fit.with_lack_of_fit(options.threads()).ok();
+    tested.filter(|fit| fit.report.reliable)
 }
 
 /// Reliable fit of a few flights with readings of another meaning.
@@ -102,7 +98,7 @@ fn tried_with(
     model: &Model,
     dataset: &Dataset,
     options: &FitOptions<'_>,
-) -> Result<Option<Fit>, FitError> {
+) -> Option<Fit> {
     let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
     let converted = to_fit.map(|flight| other.converted(flight.clone()));
     tried_reliably(model, dataset, converted, options)
@@ -114,17 +110,14 @@ pub fn mirrored(
     dataset: &Dataset,
     problem: &FitProblem,
     options: &FitOptions<'_>,
-) -> Result<Vec<DataFault>, FitError> {
+) -> Vec<DataFault> {
     if options.trust_data || options.known_faults.is_some() {
-        return Ok(Vec::new());
+        return Vec::new();
     }
-    for other in screening::mirrored(problem, dataset) {
-        if tried_with(&other, model, dataset, options)?.is_some() {
-            let why = "only so does the angular momentum turn slowly, and the flights fit";
-            return Ok(other.faults(dataset, why, false));
-        }
-    }
-    Ok(Vec::new())
+    let mut others = screening::mirrored(problem, dataset).into_iter();
+    let found = others.find(|other| tried_with(other, model, dataset, options).is_some());
+    let why = "only so does the angular momentum turn slowly, and the flights fit";
+    found.map_or_else(Vec::new, |other| other.faults(dataset, why, false))
 }
 
 /// Faults of readings whose unit they do not tell by themselves: as they are, the flights have no fit or one that is not
@@ -134,26 +127,26 @@ pub fn other_unit(
     dataset: &Dataset,
     options: &FitOptions<'_>,
     as_they_are: &Result<Fit, FitError>,
-) -> Result<Vec<DataFault>, FitError> {
+) -> Vec<DataFault> {
     if options.trust_data || options.known_faults.is_some() {
-        return Ok(Vec::new());
+        return Vec::new();
     }
     let units = screening::undetermined(dataset);
     let fails = |fit: &Fit| lacks_fit(fit, options);
     let may_be_wrong = match as_they_are {
-        Err(FitError::Interrupted | FitError::FaultyData(_)) => false,
+        Err(FitError::FaultyData(_)) => false,
         Err(_) => true,
         // Another unit leaves more than a little.
         Ok(fit) => !units.is_empty() && fails(fit).is_some_and(|(_, is_far)| is_far),
     };
     for unit in units.into_iter().filter(|_| may_be_wrong) {
-        let found = tried_with(&unit, model, dataset, options)?;
+        let found = tried_with(&unit, model, dataset, options);
         if found.is_some_and(|fit| unit.is_followed(dataset, &fit.report.sensors)) {
             let why = "the flights fit to the noise in this unit, and not as they are";
-            return Ok(unit.faults(dataset, why, true));
+            return unit.faults(dataset, why, true);
         }
     }
-    Ok(Vec::new())
+    Vec::new()
 }
 
 /// Faults of poses whose positions and attitudes are in different frames: as they are, the fit is far from the noise, and
@@ -164,20 +157,20 @@ pub fn frames_of_poses(
     dataset: &Dataset,
     options: &FitOptions<'_>,
     as_they_are: &Result<Fit, FitError>,
-) -> Result<Vec<DataFault>, FitError> {
+) -> Vec<DataFault> {
     let is_far = |fit: &&Fit| lacks_fit(fit, options).is_some_and(|(_, is_far)| is_far);
     let may_be_wrong = options.known_faults.is_none() && !options.trust_data;
     let found = as_they_are.as_ref().ok().filter(|_| may_be_wrong);
     let found = Poses::of(dataset).zip(found);
     let Some((pose, stated)) = found.filter(|(_, fit)| is_far(fit)) else {
-        return Ok(Vec::new());
+        return Vec::new();
     };
     let problem = &stated.problem;
     let to_fit = || dataset.flights.iter().filter(|f| f.role == Role::Fit);
     let own = ModelTree::of(model);
     let turned = own.find_effect(ATTITUDE_TURNED);
     let Ok(turned) = turned.and_then(|effect| own.with(&effect)?.check()) else {
-        return Ok(Vec::new());
+        return Vec::new();
     };
     let mut other = None;
     for degrees in [90.0, -90.0, 180.0] {
@@ -185,12 +178,12 @@ pub fn frames_of_poses(
             continue;
         }
         let to_fit = to_fit().map(|flight| pose.turned(flight, degrees));
-        let found = tried_reliably(&turned, dataset, to_fit, options)?;
+        let found = tried_reliably(&turned, dataset, to_fit, options);
         let Some(left) = found.as_ref().and_then(turn_about_third) else {
             continue;
         };
         if left.abs() < NEARLY {
-            return Ok(pose.faults_of_turn(left - degrees));
+            return pose.faults_of_turn(left - degrees);
         }
         other = Some(left - degrees).filter(|by| by.abs() > FAR_TURN);
         break;
@@ -200,11 +193,11 @@ pub fn frames_of_poses(
             continue;
         }
         let negated = to_fit().map(|flight| pose.negated(flight, axis));
-        if tried_reliably(model, dataset, negated, options)?.is_some() {
-            return Ok(pose.faults_of_sign(axis));
+        if tried_reliably(model, dataset, negated, options).is_some() {
+            return pose.faults_of_sign(axis);
         }
     }
-    Ok(other.map_or_else(Vec::new, |by| pose.faults_of_turn(by)))
+    other.map_or_else(Vec::new, |by| pose.faults_of_turn(by))
 }
 
 /// Turn of the attitudes that a fit has found, degrees; `None` if it is about another than the third axis.
@@ -251,7 +244,7 @@ pub fn conflicts(
     dataset: &Dataset,
     options: &FitOptions<'_>,
     held: &Fit,
-) -> Result<Vec<String>, FitError> {
+) -> Vec<String> {
     let mut conflicts = Vec::new();
     for (place, (name, _)) in options.fixed.iter().enumerate() {
         let Some((_, value)) = held.problem.fixed.iter().find(|(own, _)| own == name) else {
@@ -265,10 +258,7 @@ pub fn conflicts(
             known_faults: Some(&held.report.data_faults),
             ..*options
         };
-        let fit = match fit_within(model, dataset, &freed, Some(held)) {
-            Err(FitError::Interrupted) => return Err(FitError::Interrupted),
-            found => found.ok(),
-        };
+        let fit = fit_within(model, dataset, &freed, Some(held)).ok();
         let Some(free) = fit.and_then(|fit| fit.report.coefficients.get(name).cloned()) else {
             continue;
         };
@@ -288,7 +278,7 @@ pub fn conflicts(
             ));
         }
     }
-    Ok(conflicts)
+    conflicts
 }
 
 #[cfg(test)]

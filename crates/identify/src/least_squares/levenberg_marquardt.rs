@@ -61,8 +61,7 @@ const WARY: usize = 3;
 /// Minimises the sum of squares of `problem` from `start` by the Levenberg–Marquardt method.
 ///
 /// # Errors
-/// [`SolveError::Start`] with every flight that cannot be predicted at `start`; [`SolveError::Cancelled`] if the
-/// iteration is cancelled.
+/// [`SolveError`] with every flight that cannot be predicted at `start`.
 pub fn solve(
     problem: &dyn LeastSquaresProblem,
     start: Iterate,
@@ -83,7 +82,7 @@ pub fn solve_after(
     previous: Option<f64>,
 ) -> Result<Solution, SolveError> {
     let start = Evaluated::new(problem, start, INITIAL_DAMPING)?;
-    descend(problem, start, criteria, previous)
+    Ok(descend(problem, start, criteria, previous))
 }
 
 /// Minimises from an iterate that is evaluated. `previous` is the predicted reduction of the step that led to it.
@@ -92,7 +91,7 @@ fn descend(
     start: Evaluated,
     criteria: StoppingCriteria,
     mut previous: Option<f64>,
-) -> Result<Solution, SolveError> {
+) -> Solution {
     let mut at = start;
     let mut damping = INITIAL_DAMPING;
     let (mut iterations, mut rejections) = (0, 0);
@@ -130,10 +129,10 @@ fn descend(
             break;
         }
         let less_damping = (damping * 0.1).max(MIN_DAMPING);
-        let is_worse = accepted < WARY && squares_at(problem, &candidate)? >= at.squares;
+        let is_worse = accepted < WARY && squares_at(problem, &candidate) >= at.squares;
         let evaluated = match is_worse {
             true => None,
-            false => Evaluated::candidate(problem, &candidate, less_damping)?,
+            false => Evaluated::new(problem, candidate.clone(), less_damping).ok(),
         };
         if let Some(evaluated) = evaluated.filter(|evaluated| evaluated.squares < at.squares) {
             at = evaluated;
@@ -152,8 +151,8 @@ fn descend(
         if rejections == 0 && !at.iterate.global.is_empty() && refinement.is_due() {
             iterations += 1;
             if let Some(candidate) =
-                with_refined_locals(problem, &candidate, &at.iterate, at.squares)?
-                && let Some(evaluated) = Evaluated::candidate(problem, &candidate, less_damping)?
+                with_refined_locals(problem, &candidate, &at.iterate, at.squares)
+                && let Ok(evaluated) = Evaluated::new(problem, candidate, less_damping)
                 && evaluated.squares < at.squares
             {
                 at = evaluated;
@@ -176,14 +175,14 @@ fn descend(
         };
         damping = (damping * growth).max(NEGLIGIBLE_DAMPING);
     }
-    Ok(Solution {
+    Solution {
         iterate: at.iterate,
         blocks: at.blocks,
         squares: at.squares,
         iterations,
         stop_reason,
         predicted_reduction: previous,
-    })
+    }
 }
 
 // Refinement of local parameters at given global ones. A step that is too long is often right in the global parameters
@@ -257,10 +256,6 @@ impl LeastSquaresProblem for OneFlight<'_> {
         &[]
     }
 
-    fn is_cancelled(&self) -> bool {
-        self.problem.is_cancelled()
-    }
-
     fn is_past_deadline(&self) -> bool {
         self.problem.is_past_deadline()
     }
@@ -273,7 +268,7 @@ fn with_refined_locals(
     candidate: &Iterate,
     before: &Iterate,
     limit: f64,
-) -> Result<Option<Iterate>, SolveError> {
+) -> Option<Iterate> {
     // If some flights exceed the limit, all flights do, so that the result does not depend on the order of the flights.
     let left = Mutex::new(0.0);
     let refined = parallel::each_on(problem.threads(), problem.flights(), |flight| {
@@ -298,17 +293,13 @@ fn with_refined_locals(
         *left.lock().unwrap_or_else(PoisonError::into_inner) += squares;
         Some(local)
     });
-    if problem.is_cancelled() {
-        return Err(SolveError::Cancelled);
-    }
     if left.into_inner().unwrap_or_else(PoisonError::into_inner) > limit {
-        return Ok(None);
+        return None;
     }
-    let local: Option<Vec<DVector<f64>>> = refined.into_iter().collect();
-    Ok(local.map(|local| Iterate {
+    Some(Iterate {
         global: candidate.global.clone(),
-        local,
-    }))
+        local: refined.into_iter().collect::<Option<_>>()?,
+    })
 }
 
 // Watchdog technique: first steps of an iteration that may increase the sum of squares.
@@ -328,12 +319,12 @@ pub fn solve_with_watchdog(
     criteria: StoppingCriteria,
 ) -> Result<Solution, SolveError> {
     let mut start = Evaluated::new(problem, start, INITIAL_DAMPING)?;
-    let (reached, steps) = undamped_steps(problem, &mut start, criteria)?;
+    let (reached, steps) = undamped_steps(problem, &mut start, criteria);
     let remaining = StoppingCriteria {
         max_steps: criteria.max_steps.saturating_sub(steps),
         ..criteria
     };
-    let solution = descend(problem, reached.unwrap_or(start), remaining, None)?;
+    let solution = descend(problem, reached.unwrap_or(start), remaining, None);
     Ok(Solution {
         iterations: solution.iterations + steps,
         ..solution
@@ -345,16 +336,16 @@ fn undamped_steps(
     problem: &dyn LeastSquaresProblem,
     start: &mut Evaluated,
     criteria: StoppingCriteria,
-) -> Result<(Option<Evaluated>, usize), SolveError> {
+) -> (Option<Evaluated>, usize) {
     let squares_at_start = start.squares;
     let mut reached: Option<Evaluated> = None;
     for steps in 0..MAX_UNDAMPED_STEPS {
         if problem.is_past_deadline() {
-            return Ok((None, steps));
+            return (None, steps);
         }
         let at = reached.as_mut().unwrap_or(start);
         let Some(step) = at.step(problem, INITIAL_DAMPING) else {
-            return Ok((None, steps));
+            return (None, steps);
         };
         let Step {
             candidate,
@@ -362,17 +353,17 @@ fn undamped_steps(
         } = step;
         let is_at_minimum = criteria.is_reached(predicted_reduction, None, at.squares);
         if is_at_minimum || at.squares - predicted_reduction >= squares_at_start {
-            return Ok((None, steps));
+            return (None, steps);
         }
-        let Some(evaluated) = Evaluated::candidate(problem, &candidate, INITIAL_DAMPING)? else {
-            return Ok((None, steps + 1));
+        let Ok(evaluated) = Evaluated::new(problem, candidate, INITIAL_DAMPING) else {
+            return (None, steps + 1);
         };
         if evaluated.squares < squares_at_start {
-            return Ok((Some(evaluated), steps + 1));
+            return (Some(evaluated), steps + 1);
         }
         reached = Some(evaluated);
     }
-    Ok((None, MAX_UNDAMPED_STEPS))
+    (None, MAX_UNDAMPED_STEPS)
 }
 
 #[cfg(test)]

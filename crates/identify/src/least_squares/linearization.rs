@@ -6,7 +6,6 @@ use super::{
     Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, SchurComplement, SolveError,
     Unknowns, constrained_step,
 };
-use crate::error::FlightError;
 
 /// An iterate with its normal equations and its sum of squares.
 pub(super) struct Evaluated {
@@ -33,9 +32,6 @@ impl Evaluated {
         damping: f64,
     ) -> Result<Self, SolveError> {
         let each = parallel::each_on(problem.threads(), problem.flights(), |flight| {
-            if problem.is_cancelled() {
-                return Err(FlightError::Interrupted);
-            }
             let block = problem.linearise(
                 flight,
                 (&iterate.global, &iterate.local[flight]),
@@ -44,9 +40,6 @@ impl Evaluated {
             let complement = SchurComplement::new(&block, damping);
             Ok((block, complement))
         });
-        if problem.is_cancelled() {
-            return Err(SolveError::Cancelled);
-        }
         let (mut blocks, mut complements) = (Vec::new(), Vec::new());
         let mut failures = Vec::new();
         for (flight, found) in each.into_iter().enumerate() {
@@ -59,7 +52,7 @@ impl Evaluated {
             }
         }
         if !failures.is_empty() {
-            return Err(SolveError::Start(failures));
+            return Err(SolveError(failures));
         }
         let each = blocks.iter().map(|block| block.squares);
         Ok(Self {
@@ -68,19 +61,6 @@ impl Evaluated {
             blocks,
             complements: (damping, Some(complements)),
         })
-    }
-
-    /// Evaluates a candidate; `None` if a flight cannot be predicted there.
-    pub(super) fn candidate(
-        problem: &dyn LeastSquaresProblem,
-        iterate: &Iterate,
-        damping: f64,
-    ) -> Result<Option<Self>, SolveError> {
-        match Self::new(problem, iterate.clone(), damping) {
-            Ok(evaluated) => Ok(Some(evaluated)),
-            Err(SolveError::Cancelled) => Err(SolveError::Cancelled),
-            Err(_) => Ok(None),
-        }
     }
 
     /// Levenberg–Marquardt step; `None` if the normal equations are singular at this damping.
@@ -119,21 +99,12 @@ impl Evaluated {
 }
 
 /// Sum of squares of a candidate, without derivatives; infinite if a flight cannot be predicted there.
-pub(super) fn squares_at(
-    problem: &dyn LeastSquaresProblem,
-    iterate: &Iterate,
-) -> Result<f64, SolveError> {
+pub(super) fn squares_at(problem: &dyn LeastSquaresProblem, iterate: &Iterate) -> f64 {
     let each = parallel::each_on(problem.threads(), problem.flights(), |flight| {
-        if problem.is_cancelled() {
-            return f64::INFINITY;
-        }
         let unknowns = (&iterate.global, &iterate.local[flight]);
         problem.squares(flight, unknowns).unwrap_or(f64::INFINITY)
     });
-    if problem.is_cancelled() {
-        return Err(SolveError::Cancelled);
-    }
-    Ok(with_priors(problem, iterate, each.into_iter()))
+    with_priors(problem, iterate, each.into_iter())
 }
 
 /// Sum of the squares of all flights and of the priors of the global parameters; infinite if it is not a number.

@@ -54,12 +54,8 @@ pub trait LeastSquaresProblem: Sync {
         1
     }
 
-    /// Whether the iteration is to stop with an error because it was cancelled.
-    fn is_cancelled(&self) -> bool {
-        false
-    }
-
-    /// Whether the iteration is to stop and return its present iterate, because the deadline of the fit has passed.
+    /// Whether the iteration is to stop and return its present iterate, because the deadline of the fit has passed or it was
+    /// cancelled.
     fn is_past_deadline(&self) -> bool {
         false
     }
@@ -82,16 +78,11 @@ fn first(failures: &[FailedFlight]) -> String {
     reason.unwrap_or_default()
 }
 
-/// Reason why a least-squares iteration has no solution.
+/// Flights that cannot be predicted from their initial values, with the reasons: a least-squares iteration with them has no
+/// solution.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum SolveError {
-    /// Some flights cannot be predicted from their initial values. Contains these flights with the reasons.
-    #[error("{} flights cannot be predicted from their initial values, the first because: {}", .0.len(), first(.0))]
-    Start(Vec<FailedFlight>),
-    /// The iteration was cancelled.
-    #[error("interrupted")]
-    Cancelled,
-}
+#[error("{} flights cannot be predicted from their initial values, the first because: {}", .0.len(), first(.0))]
+pub struct SolveError(pub Vec<FailedFlight>);
 
 // Termination criteria of an iteration, and the reason why it stopped.
 

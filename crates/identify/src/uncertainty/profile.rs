@@ -22,7 +22,7 @@ pub fn profile(
     global: &[GlobalParameter],
     parameter: GlobalId,
     error: f64,
-) -> Result<Profile, SolveError> {
+) -> Profile {
     let index = parameter.index();
     let best = solution.iterate.global[index];
     let (low, high) = global[index].constraint.bounds;
@@ -35,23 +35,20 @@ pub fn profile(
                 break;
             }
             point.global[index] = value;
-            match fit_at(value, point.clone()) {
-                Ok(found) => {
-                    points.push([value, (found.squares - solution.squares).max(0.0)]);
-                    point = found.iterate;
-                }
-                Err(SolveError::Cancelled) => return Err(SolveError::Cancelled),
-                Err(_) => break,
-            }
+            let Ok(found) = fit_at(value, point) else {
+                break;
+            };
+            points.push([value, (found.squares - solution.squares).max(0.0)]);
+            point = found.iterate;
         }
     }
     sort_by_number(&mut points, |point| point[0]);
     let interval = [crossing(&points, best, -1.0), crossing(&points, best, 1.0)];
-    Ok(Profile {
+    Profile {
         name: global[index].name.clone(),
         points,
         interval,
-    })
+    }
 }
 
 /// Value on one side of `best` (`direction` ±1) at which the deviance reaches its 95 % quantile; `None` if it does not.

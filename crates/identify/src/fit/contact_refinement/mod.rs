@@ -91,9 +91,6 @@ pub fn refine_contacts(
         options.flight_done();
         found
     });
-    if options.is_cancelled() {
-        return Err(FitError::Interrupted);
-    }
     if of_fitted.iter().chain(&of_unlike).all(Option::is_none) {
         return Ok((cache, predicted_reduction));
     }
@@ -139,7 +136,7 @@ fn converge_further(
         return Ok(None);
     }
     let (noise, _) = estimate_noise(state, cache)?;
-    unevaluated_step(state, Loss::Whitened(&noise), cache)
+    Ok(unevaluated_step(state, Loss::Whitened(&noise), cache))
 }
 
 /// Reference fit to the flights whose residual scale is not far above the usual; `None` if no flight or more than half
@@ -161,7 +158,7 @@ fn fitted_without<'a>(
     }
     // At the noise level, the flights that are left out hardly change the fit: one step is enough.
     let step = match is_accurate(state.problem, cache) {
-        true => unevaluated_step(&mut others, Loss::Huber(usual), cache)?,
+        true => unevaluated_step(&mut others, Loss::Huber(usual), cache),
         false => None,
     };
     let residuals = match step {
