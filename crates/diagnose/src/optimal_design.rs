@@ -3,8 +3,8 @@
 use flight::parallel;
 use flight::throw::{Motion, RPM, Throw, release_axes};
 use identify::{
-    FitProblem, Iterate, Loss, NoiseModel, NormalBlock, Observations, RigidMotion, Unknowns,
-    eliminate, linearise, pseudo_inverse, state_for_motion,
+    FitProblem, FlightAt, Iterate, Loss, NoiseModel, NormalBlock, Observations, RigidMotion,
+    Unknowns, eliminate, pseudo_inverse, state_for_motion,
 };
 use model_spec::model::FlightAxes;
 use nalgebra::{DMatrix, DVector, Rotation3, UnitQuaternion};
@@ -49,10 +49,7 @@ pub struct ProposedThrow {
 }
 
 /// The simulated throw that most separates the closest two accepted hypotheses; `None` for fewer than two.
-pub(crate) fn proposed_throw(
-    model: &ScoreTestModel<'_>,
-    search: &Search,
-) -> Option<ProposedThrow> {
+pub(crate) fn proposed_throw(model: &ScoreTestModel<'_>, search: &Search) -> Option<ProposedThrow> {
     let ranges = &model.context.options.throws;
     let hypotheses = search.accepted.as_slice();
     let [best, _, ..] = hypotheses else {
@@ -115,17 +112,8 @@ fn simulated(
     let axes = axes.map_or_else(FlightAxes::default, |(_, axes)| axes);
     let motion = rigid_motion(throw, problem.has_attitude, axes);
     let local = state_for_motion(problem, &observations, &motion).ok()?;
-    let unknowns = (&at.global, &local);
-    let loss = Loss::Whitened(noise);
-    linearise(
-        problem,
-        &observations,
-        unknowns,
-        samples,
-        Unknowns::All,
-        loss,
-    )
-    .ok()
+    let at = FlightAt::new(problem, &observations, (&at.global, &local));
+    at.linearise(Unknowns::All, Loss::Whitened(noise)).ok()
 }
 
 impl ProposedThrow {

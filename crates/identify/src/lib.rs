@@ -59,7 +59,7 @@ pub use channel::{Channel, ChannelKind, MARKER};
 pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
 pub use noise::{AxesNoise, Moments, NoiseModel, group_count};
 pub use observations::{Observations, Truncation};
-pub use predict::{Loss, PointResidual, Residuals, each_residual, linearise, linearise_with};
+pub use predict::{FlightAt, Loss, PointResidual, Residuals};
 pub use problem::{FitProblem, GlobalParameter};
 pub use state_manifold::StateManifold;
 pub use summary::SummaryModel;

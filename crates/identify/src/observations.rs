@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use flight::{FlightParameters, InputsOverTime};
+use flight::{BoundModel, FlightParameters, InputsOverTime};
 use model_spec::layout::StateId;
 use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
@@ -183,6 +183,19 @@ impl Observations {
         self.measured[sample * self.channels + channel]
     }
 
+    /// [`value`](Self::value), or that [without outliers](Self::inlier).
+    pub(crate) fn seen(
+        &self,
+        sample: usize,
+        channel: usize,
+        with_outliers: bool,
+    ) -> Option<[f64; 3]> {
+        match with_outliers {
+            true => self.value(sample, channel),
+            false => self.inlier(sample, channel),
+        }
+    }
+
     /// [`value`](Self::value) unless it is an outlier.
     pub fn inlier(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         let value = self.value(sample, channel);
@@ -313,6 +326,21 @@ impl Observations {
     /// Tolerance, m, of the integration for residuals without derivatives.
     pub(crate) fn residual_tolerance(&self, problem: &FitProblem) -> f64 {
         RESIDUAL_TOLERANCE * problem.sigma0 * self.tolerance_factor
+    }
+
+    /// The compiled model with the parameters of the flight and the given values of the global ones.
+    pub fn bound<'p>(&self, problem: &'p FitProblem, global: &DVector<f64>) -> BoundModel<'p> {
+        problem.body.bind(self.parameters(problem, global))
+    }
+
+    /// Index, time, s, and state of each sample of a trajectory, whose states are concatenated.
+    pub(crate) fn along<'s>(
+        &'s self,
+        states: &'s [f64],
+    ) -> impl Iterator<Item = (usize, f64, &'s [f64])> {
+        let states = states.chunks(self.manifold.states());
+        let each = states.zip(&self.times).enumerate();
+        each.map(|(sample, (state, time))| (sample, *time, state))
     }
 
     /// Parameters in the order of the compiled model, SI, with the given values of the global ones, and the inputs over

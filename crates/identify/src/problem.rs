@@ -224,6 +224,11 @@ impl FitProblem {
         Ok(problem)
     }
 
+    /// Indices of the global parameters among those of the model.
+    pub fn global_parameters(&self) -> Vec<ParamId> {
+        self.globals.iter().map(|global| global.param).collect()
+    }
+
     pub(crate) fn sees_markers_alone(&self) -> bool {
         self.channels.iter().all(Channel::is_marker)
     }

@@ -1,8 +1,6 @@
 //! Standard errors of the predictions of held-out flights.
 
-use identify::{
-    CONDITIONING_FRACTION, Coefficient, Fit, FitReport, FlightId, each_residual, pseudo_inverse,
-};
+use identify::{CONDITIONING_FRACTION, Coefficient, Fit, FitReport, FlightId, pseudo_inverse};
 use nalgebra::{DMatrix, DVector};
 
 /// Half width of a 95 % confidence interval, in standard errors.
@@ -54,31 +52,22 @@ struct Sensitivity {
 
 /// `None` if the flight is excluded, or its first samples do not determine its initial state.
 pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
-    let (observations, local) = fit.flight(flight)?;
-    let (problem, global) = (fit.problem(), fit.global());
-    let samples = observations.times.len();
+    let at = fit.at(flight)?;
+    let (problem, observations, samples) = (at.problem, at.observations, at.samples);
     let first = ((samples as f64 * CONDITIONING_FRACTION).ceil() as usize).clamp(1, samples);
     let names: Vec<&str> = problem.globals.iter().map(|g| g.name.as_str()).collect();
-    let columns: Vec<_> = problem.globals.iter().map(|g| g.param).collect();
-    let conditions = problem.body.bind(observations.parameters(problem, global));
+    let columns = problem.global_parameters();
     let mut found: Vec<Sensitivity> = Vec::new();
-    each_residual(
-        problem,
-        observations,
-        (global, local),
-        &mut conditions.rhs(),
-        &columns,
-        &mut |point| {
-            let at = point.sample * observations.channels + point.channel;
-            found.push(Sensitivity {
-                sample: point.sample,
-                channel: point.channel,
-                is_outlier: observations.outlier[at],
-                rows: [0, 1, 2].map(|axis| DVector::from_column_slice(&point.rows[axis])),
-            });
-        },
-    )
-    .ok()?;
+    let done = at.each_residual(&columns, &mut |point| {
+        let at = point.sample * observations.channels + point.channel;
+        found.push(Sensitivity {
+            sample: point.sample,
+            channel: point.channel,
+            is_outlier: observations.outlier[at],
+            rows: [0, 1, 2].map(|axis| DVector::from_column_slice(&point.rows[axis])),
+        });
+    });
+    done.ok()?;
     let locals = found.first()?.rows[0].len() - columns.len();
     let mut information = DMatrix::zeros(locals, locals);
     let mut cross = DMatrix::zeros(locals, columns.len());

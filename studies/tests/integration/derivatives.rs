@@ -4,7 +4,7 @@ use dataset::synthesize::{Corruption, corrupt};
 use dataset::{Dataset, KnownValue};
 use identify::Observations;
 use identify::{
-    AxesNoise, FitOptions, FitProblem, Loss, NoiseModel, Unknowns, initial_guesses, linearise,
+    AxesNoise, FitOptions, FitProblem, FlightAt, Loss, NoiseModel, Unknowns, initial_guesses,
 };
 use nalgebra::DVector;
 use studies::oracle_flights::{Plan, TWELVE, disc, flights};
@@ -41,17 +41,9 @@ fn check(model: &str, dataset: &Dataset, free: &[String], loss: Loss<'_>) {
         .expect("a start")
         .remove(0)
         .state;
-    let samples = observations.times.len();
     let at = |global: &DVector<f64>, local: &DVector<f64>| {
-        linearise(
-            &problem,
-            &observations,
-            (global, local),
-            samples,
-            Unknowns::All,
-            loss,
-        )
-        .expect("a flight")
+        let at = FlightAt::new(&problem, &observations, (global, local));
+        at.linearise(Unknowns::All, loss).expect("a flight")
     };
     let block = at(&global, &local);
     let half = |global: &DVector<f64>, local: &DVector<f64>| at(global, local).squares / 2.0;

@@ -4,11 +4,10 @@ use std::sync::Mutex;
 
 use flight::{BoundModel, parallel};
 use identify::{
-    FitError, FitProblem, FlightError, GlobalId, Iterate, LocalId, Loss, NoiseModel, NormalBlock,
-    Observations, PointResidual, Unknowns, each_residual, linearise, linearise_with,
+    FitError, FitProblem, FlightAt, FlightError, GlobalId, Iterate, LocalId, Loss, NoiseModel,
+    NormalBlock, PointResidual, Unknowns,
 };
 use model_spec::layout::ParamId;
-use nalgebra::DVector;
 use ode::DifferentiableRhs;
 
 use super::library_terms::LibraryTerms;
@@ -23,18 +22,8 @@ impl ScoreTestModel<'_> {
         noise: &NoiseModel,
     ) -> Result<Vec<NormalBlock>, FitError> {
         self.each_flight(|flight| {
-            let observations = &self.flights[flight];
-            let unknowns = (&iterate.global, &iterate.local[flight]);
-            let samples = observations.times.len();
-            let loss = Loss::Whitened(noise);
-            linearise(
-                problem,
-                observations,
-                unknowns,
-                samples,
-                Unknowns::All,
-                loss,
-            )
+            let at = self.flight_at(problem, iterate, flight);
+            at.linearise(Unknowns::All, Loss::Whitened(noise))
         })
     }
 
@@ -53,23 +42,12 @@ impl ScoreTestModel<'_> {
             return self.normal_equations(problem, iterate, noise);
         };
         self.each_flight(|flight| {
-            let observations = &self.flights[flight];
-            let conditions = conditions(problem, observations, &iterate.global);
+            let at = self.flight_at(problem, iterate, flight);
+            let conditions = at.bound();
             let (mut motion, parameters) = self.motion_with_terms(&conditions, terms);
-            let unknowns = (&iterate.global, &iterate.local[flight]);
-            let samples = observations.times.len();
-            let loss = Loss::Whitened(noise);
-            let by: (&mut dyn DifferentiableRhs, _) = (&mut motion, parameters.as_slice());
             cache.with_flight(flight, |stored| {
-                linearise_with(
-                    problem,
-                    observations,
-                    unknowns,
-                    samples,
-                    loss,
-                    by,
-                    Some(stored),
-                )
+                let by = (&mut motion as &mut dyn DifferentiableRhs, &*parameters);
+                at.linearise_with(Loss::Whitened(noise), by, Some(stored))
             })
         })
     }
@@ -85,18 +63,14 @@ impl ScoreTestModel<'_> {
         let LinearizationPoint {
             problem, iterate, ..
         } = at;
-        let observations = &self.flights[flight];
-        let unknowns = (&iterate.global, &iterate.local[flight]);
-        let conditions = conditions(problem, observations, unknowns.0);
-        let mut visit = |motion: &mut dyn DifferentiableRhs, parameters: &[ParamId]| {
-            each_residual(problem, observations, unknowns, motion, parameters, each)
-        };
+        let at = self.flight_at(problem, iterate, flight);
+        let conditions = at.bound();
         let done = match &self.terms {
             Some(terms) => {
                 let (mut motion, parameters) = self.motion_with_terms(&conditions, terms);
-                visit(&mut motion, &parameters)
+                at.each_residual_with((&mut motion, &parameters), each)
             }
-            None => visit(&mut conditions.rhs(), &self.global_parameters()),
+            None => at.each_residual(&self.problem.global_parameters(), each),
         };
         done.map_err(|reason| self.flight_error(flight, reason))
     }
@@ -136,9 +110,15 @@ impl ScoreTestModel<'_> {
         done.into_iter().collect()
     }
 
-    fn global_parameters(&self) -> Vec<ParamId> {
-        let globals = self.problem.globals.iter();
-        globals.map(|global| global.param).collect()
+    /// A flight at the values of an iterate.
+    pub fn flight_at<'p>(
+        &'p self,
+        problem: &'p FitProblem,
+        iterate: &'p Iterate,
+        flight: usize,
+    ) -> FlightAt<'p> {
+        let unknowns = (&iterate.global, &iterate.local[flight]);
+        FlightAt::new(problem, &self.flights[flight], unknowns)
     }
 
     /// Equations of motion with the library terms, and the parameter of each global column.
@@ -148,18 +128,10 @@ impl ScoreTestModel<'_> {
         terms: &'c LibraryTerms,
     ) -> (impl DifferentiableRhs + use<'c>, Vec<ParamId>) {
         let first = self.problem.body.layout().parameters.len();
-        let mut parameters = self.global_parameters();
+        let mut parameters = self.problem.global_parameters();
         parameters.extend((first..first + terms.terms.len()).map(ParamId::new));
         (terms.motion(conditions, first), parameters)
     }
-}
-
-fn conditions<'a>(
-    problem: &'a FitProblem,
-    observations: &Observations,
-    global: &DVector<f64>,
-) -> BoundModel<'a> {
-    problem.body.bind(observations.parameters(problem, global))
 }
 
 // Cache of trajectories with sensitivities, integrated once for each linearization point.

@@ -3,7 +3,7 @@
 //! channel without evidence remains at 0.
 
 use flight::{BasisLoads, parallel};
-use identify::{Iterate, Loss, NoiseModel, linearise_with, pseudo_inverse};
+use identify::{Iterate, Loss, NoiseModel, pseudo_inverse};
 use model_spec::layout::ParamId;
 use nalgebra::{DMatrix, DVector};
 use ode::DifferentiableRhs;
@@ -141,13 +141,11 @@ impl FlightLoads {
         at: &Iterate,
         noise: &NoiseModel,
     ) -> Option<Self> {
-        let (problem, observations) = (&model.problem, &model.flights[flight]);
-        let knots = knots(*observations.times.last()?);
+        let at = model.flight_at(&model.problem, at, flight);
+        let knots = knots(*at.observations.times.last()?);
         let count = knots.len();
-        let conditions = problem
-            .body
-            .bind(observations.parameters(problem, &at.global));
-        let first = problem.body.layout().parameters.len();
+        let conditions = at.bound();
+        let first = model.problem.body.layout().parameters.len();
         let loads = terms.loads.iter().flat_map(|&load| vec![load; count]);
         let loads: Vec<(ParamId, usize)> = loads.zip(first..).collect();
         let mut motion = BasisLoads::new(&conditions, &loads, |t, _, values: &mut [f64]| {
@@ -157,12 +155,8 @@ impl FlightLoads {
         });
         let parameters = first..first + loads.len();
         let parameters: Vec<ParamId> = parameters.map(ParamId::new).collect();
-        let unknowns = (&at.global, &at.local[flight]);
-        let samples = observations.times.len();
-        let loss = Loss::Whitened(noise);
-        let by: (&mut dyn DifferentiableRhs, _) = (&mut motion, parameters.as_slice());
-        let block =
-            linearise_with(problem, observations, unknowns, samples, loss, by, None).ok()?;
+        let by = (&mut motion as &mut dyn DifferentiableRhs, &*parameters);
+        let block = at.linearise_with(Loss::Whitened(noise), by, None).ok()?;
         let (_, free) = model.local_partition(flight, &[]);
         let block = keep_directions(&block, &free);
         let equations = eliminate_locals(model, flight, &block).ok()?;

@@ -7,7 +7,7 @@ use nalgebra::{DVector, Matrix3xX};
 use crate::error::FlightError;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::predict::each_residual;
+use crate::predict::FlightAt;
 use crate::problem::FitProblem;
 use crate::state_manifold::StateManifold;
 
@@ -43,25 +43,16 @@ impl Trajectory {
             known_states: Vec::new(),
             ..observations.first_samples(seen.end)
         };
-        let conditions = problem.body.bind(evaluated.parameters(problem, unknowns.0));
-        let mut motion = conditions.rhs();
         let mut samples = vec![Vec::with_capacity(markers); seen.len()];
-        each_residual(
-            problem,
-            &evaluated,
-            unknowns,
-            &mut motion,
-            &[],
-            &mut |point| {
-                if point.sample >= seen.start {
-                    let rows = point.rows.each_ref();
-                    samples[point.sample - seen.start].push(Predicted {
-                        position: point.residual,
-                        derivatives: rows.map(|row| DVector::from_column_slice(row)),
-                    });
-                }
-            },
-        )?;
+        FlightAt::new(problem, &evaluated, unknowns).each_residual(&[], &mut |point| {
+            if point.sample >= seen.start {
+                let rows = point.rows.each_ref();
+                samples[point.sample - seen.start].push(Predicted {
+                    position: point.residual,
+                    derivatives: rows.map(|row| DVector::from_column_slice(row)),
+                });
+            }
+        })?;
         Ok(Self {
             dimension,
             first: seen.start,

@@ -14,8 +14,7 @@ use crate::least_squares::{NormalBlock, ScaledCholesky};
 use crate::levels::AT_NOISE;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::predict::each_residual;
-use crate::problem::FitProblem;
+use crate::predict::FlightAt;
 
 /// Maximum number of samples of a run at an end of a flight; the cuts of an import are within as many.
 const MAX_RUN: usize = 6;
@@ -44,8 +43,8 @@ pub fn leave_out_ends(
     state: &mut State<'_>,
     mut reweighted: Reweighted,
 ) -> Result<Reweighted, FitError> {
-    let (problem, options) = (state.problem, state.options);
-    if !problem.sees_positions() {
+    let options = state.options;
+    if !state.problem.sees_positions() {
         return Ok(reweighted);
     }
     for _ in 0..MAX_PASSES {
@@ -56,8 +55,8 @@ pub fn leave_out_ends(
         let iterate = &reweighted.solution.iterate;
         let found = parallel::each_on(options.threads(), state.flights.len(), |flight| {
             let unknowns = (&iterate.global, &iterate.local[flight]);
-            let tested = (&state.flights[flight], unknowns, &reweighted.noise);
-            deviating_runs(problem, tested).unwrap_or_default()
+            let at = FlightAt::new(state.problem, &state.flights[flight], unknowns);
+            deviating_runs(at, &reweighted.noise).unwrap_or_default()
         });
         if found.iter().all(|runs| runs.first + runs.last == 0) {
             break;
@@ -98,14 +97,11 @@ fn leave_out(observations: &mut Observations, runs: Runs) {
 }
 
 /// Runs at both ends of a flight that deviate from its motion; `None` if its samples do not determine this motion.
-fn deviating_runs(
-    problem: &FitProblem,
-    (observations, unknowns, noise): (&Observations, (&DVector<f64>, &DVector<f64>), &NoiseModel),
-) -> Option<Runs> {
-    if observations.times.len() < MIN_RUNS * MAX_RUN {
+fn deviating_runs(at: FlightAt<'_>, noise: &NoiseModel) -> Option<Runs> {
+    if at.samples < MIN_RUNS * MAX_RUN {
         return None;
     }
-    let mut samples = by_sample(problem, observations, unknowns, noise)?;
+    let mut samples = by_sample(at, noise)?;
     let last = deviating_run(&samples)?;
     samples.truncate(samples.len() - last);
     samples.reverse();
@@ -117,51 +113,33 @@ fn deviating_runs(
 type Previous = (f64, [f64; 3], [DVector<f64>; 3]);
 
 /// Normal equations of the initial state for each sample of a flight, with whitened residuals.
-fn by_sample(
-    problem: &FitProblem,
-    observations: &Observations,
-    unknowns: (&DVector<f64>, &DVector<f64>),
-    noise: &NoiseModel,
-) -> Option<Vec<NormalBlock>> {
-    let conditions = problem
-        .body
-        .bind(observations.parameters(problem, unknowns.0));
-    let mut motion = conditions.rhs();
+fn by_sample(at: FlightAt<'_>, noise: &NoiseModel) -> Option<Vec<NormalBlock>> {
+    let (problem, observations) = (at.problem, at.observations);
     let zero = NormalBlock::zero(observations.manifold.dimension(), 0);
     let mut blocks = vec![zero; observations.times.len()];
     let mut previous: Vec<Option<Previous>> = vec![None; problem.channels.len()];
     let none = DVector::zeros(0);
-    let done = each_residual(
-        problem,
-        observations,
-        unknowns,
-        &mut motion,
-        &[],
-        &mut |point| {
-            let channel = &problem.channels[point.channel];
-            if observations.is_outlier(point.sample, point.channel) || channel.shows_rounding(noise)
-            {
-                return;
+    let done = at.each_residual(&[], &mut |point| {
+        let channel = &problem.channels[point.channel];
+        if observations.is_outlier(point.sample, point.channel) || channel.shows_rounding(noise) {
+            return;
+        }
+        let (time, noise) = (observations.times[point.sample], noise.of(point.channel));
+        let rows = point.rows.each_ref();
+        let rows = rows.map(|row| DVector::from_column_slice(row));
+        let before = previous[point.channel].as_ref();
+        for axis in 0..channel.components {
+            let (mut residual, mut row) = (point.residual[axis], rows[axis].clone());
+            let gap = before.map(|(earlier, ..)| time - earlier);
+            let (kept, sigma) = noise.innovation(axis, gap);
+            if let Some((_, residuals, rows)) = before {
+                residual -= kept * residuals[axis];
+                row.axpy(-kept, &rows[axis], 1.0);
             }
-            let (time, noise) = (observations.times[point.sample], noise.of(point.channel));
-            let rows = point
-                .rows
-                .each_ref()
-                .map(|row| DVector::from_column_slice(row));
-            let before = previous[point.channel].as_ref();
-            for axis in 0..channel.components {
-                let (mut residual, mut row) = (point.residual[axis], rows[axis].clone());
-                let gap = before.map(|(earlier, ..)| time - earlier);
-                let (kept, sigma) = noise.innovation(axis, gap);
-                if let Some((_, residuals, rows)) = before {
-                    residual -= kept * residuals[axis];
-                    row.axpy(-kept, &rows[axis], 1.0);
-                }
-                blocks[point.sample].add(residual / sigma, &(row / sigma), &none);
-            }
-            previous[point.channel] = Some((time, point.residual, rows));
-        },
-    );
+            blocks[point.sample].add(residual / sigma, &(row / sigma), &none);
+        }
+        previous[point.channel] = Some((time, point.residual, rows));
+    });
     done.ok()?;
     Some(blocks)
 }

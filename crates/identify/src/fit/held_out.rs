@@ -18,7 +18,7 @@ use crate::levels::MIN_POPULATION;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::outliers;
-use crate::predict::{Loss, Residuals, residuals};
+use crate::predict::{FlightAt, Loss, Residuals};
 use crate::problem::{FitProblem, StatePrior};
 use crate::report::{FlightOutcome, FlightReport};
 use crate::summary;
@@ -127,12 +127,13 @@ fn predict(
     }
     let segment = observations.first_samples(samples);
     let local = conditioned(at, &segment, start)?;
-    mark_outliers(problem, &mut observations, global, &local)?;
+    let mask = outlier_mask(FlightAt::new(problem, &observations, (global, &local)))?;
+    observations.outlier = mask;
     // Autocorrelation of few residuals may be model error; white noise is the safest assumption.
     let white = noise.uncorrelated();
     let (loss, criteria) = (Loss::Whitened(&white), StoppingCriteria::COARSE);
     let (local, solution) = at.solve(&observations, samples, local, loss, criteria)?;
-    let residuals = residuals(problem, &observations, (global, &local), all)?;
+    let residuals = FlightAt::new(problem, &observations, (global, &local)).residuals()?;
     predicted(
         problem,
         observations,
@@ -208,7 +209,7 @@ fn predict_summary(
     let start = initial_state(problem, &observations)?;
     let (loss, criteria) = (Loss::Whitened(noise), StoppingCriteria::COARSE);
     let (local, solution) = at.solve(&release, 1, start, loss, criteria)?;
-    let mut residuals = residuals(problem, &observations, (global, &local), 1)?;
+    let mut residuals = FlightAt::new(problem, &observations, (global, &local)).residuals()?;
     for (series, at_release) in residuals.iter_mut().zip(&release.measured) {
         if at_release.is_some() {
             series[0] = None;
@@ -219,18 +220,12 @@ fn predict_summary(
     Ok((FlightReport { seen, ..report }, fitted))
 }
 
-/// Marks outliers by their distance from the line through the neighbouring residuals, so that a smooth prediction error
-/// is none.
-fn mark_outliers(
-    problem: &FitProblem,
-    observations: &mut Observations,
-    global: &DVector<f64>,
-    local: &DVector<f64>,
-) -> Result<(), FlightError> {
-    let samples = observations.times.len();
-    let residuals = residuals(problem, observations, (global, local), samples)?;
-    let (times, groups) = (&observations.times, problem.noise_groups());
-    let rounding = problem.rounding_of_groups();
-    observations.outlier = outliers::outlier_mask(times, &residuals, &groups, &rounding);
-    Ok(())
+/// Outliers by their distance from the line through the neighbouring residuals, so that a smooth prediction error is none.
+fn outlier_mask(at: FlightAt<'_>) -> Result<Vec<bool>, FlightError> {
+    let residuals = at.residuals()?;
+    let (times, groups) = (&at.observations.times, at.problem.noise_groups());
+    let rounding = at.problem.rounding_of_groups();
+    Ok(outliers::outlier_mask(
+        times, &residuals, &groups, &rounding,
+    ))
 }

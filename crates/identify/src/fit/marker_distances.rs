@@ -150,7 +150,7 @@ pub fn excess(state: &State<'_>, cache: &ResidualCache) -> Option<String> {
         // The distance, and the residuals of both markers along the line between them.
         let (mut lengths, mut along) = (Vec::new(), [Vec::new(), Vec::new()]);
         for (sample, apart) in apart.iter().enumerate() {
-            let residual = pair.map(|marker| path.residuals[marker].get(sample).copied().flatten());
+            let residual = pair.map(|marker| path.residual(sample, marker));
             if let (Some(apart), [Some(one), Some(other)]) = (apart, residual) {
                 let line = apart.normalize();
                 lengths.push(apart.norm());

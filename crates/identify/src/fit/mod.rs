@@ -55,6 +55,7 @@ use crate::least_squares::SolveError;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
+use crate::predict::FlightAt;
 use crate::problem::{FitProblem, whitened_tolerance};
 use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, far_constants};
 use crate::{inputs, screening, vertical};
@@ -415,9 +416,17 @@ impl Fit {
 
     /// Measured and predicted values of a flight; `None` if it is excluded or cannot be integrated.
     pub fn evidence(&self, flight: FlightId) -> Option<FlightEvidence> {
+        post_fit::evidence(self.at(flight)?)
+    }
+
+    /// A flight at the estimates; `None` if it is excluded.
+    pub fn at(&self, flight: FlightId) -> Option<FlightAt<'_>> {
         let (observations, local) = self.flight(flight)?;
-        let unknowns = (&self.global, local);
-        post_fit::evidence(&self.problem, observations, unknowns)
+        Some(FlightAt::new(
+            &self.problem,
+            observations,
+            (&self.global, local),
+        ))
     }
 }
 

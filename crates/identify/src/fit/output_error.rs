@@ -11,7 +11,7 @@ use crate::least_squares::{
 use crate::levels::CLEARLY_SMALLER;
 use crate::observations::Observations;
 use crate::options::FitOptions;
-use crate::predict::{Loss, linearise, residuals, robust_scale, squares};
+use crate::predict::{FlightAt, Loss, robust_scale};
 use crate::problem::FitProblem;
 
 /// Objective of a fit: the sum of squared residuals, or of a loss of them, over the first samples of `flights`.
@@ -51,6 +51,19 @@ impl<'a> OutputError<'a> {
     }
 }
 
+impl OutputError<'_> {
+    /// The used samples of a flight at `unknowns`, or at the fixed global parameters.
+    fn at<'f>(
+        &'f self,
+        flight: usize,
+        (global, local): (&'f DVector<f64>, &'f DVector<f64>),
+    ) -> FlightAt<'f> {
+        let unknowns = (self.fixed_global.unwrap_or(global), local);
+        let at = FlightAt::new(self.problem, self.flights[flight], unknowns);
+        at.first(self.samples[flight])
+    }
+}
+
 impl LeastSquaresProblem for OutputError<'_> {
     fn flights(&self) -> usize {
         self.flights.len()
@@ -59,16 +72,11 @@ impl LeastSquaresProblem for OutputError<'_> {
     fn linearise(
         &self,
         flight: usize,
-        (global, local): (&DVector<f64>, &DVector<f64>),
+        unknowns: (&DVector<f64>, &DVector<f64>),
         by: Unknowns,
     ) -> Result<NormalBlock, FlightError> {
-        let (global, by) = match self.fixed_global {
-            Some(fixed) => (fixed, Unknowns::Local),
-            None => (global, by),
-        };
-        let (observations, samples) = (self.flights[flight], self.samples[flight]);
-        let unknowns = (global, local);
-        let block = linearise(self.problem, observations, unknowns, samples, by, self.loss);
+        let by = self.fixed_global.map_or(by, |_| Unknowns::Local);
+        let block = self.at(flight, unknowns).linearise(by, self.loss);
         if by == Unknowns::All {
             self.options.flight_done();
         }
@@ -78,11 +86,9 @@ impl LeastSquaresProblem for OutputError<'_> {
     fn squares(
         &self,
         flight: usize,
-        (global, local): (&DVector<f64>, &DVector<f64>),
+        unknowns: (&DVector<f64>, &DVector<f64>),
     ) -> Result<f64, FlightError> {
-        let unknowns = (self.fixed_global.unwrap_or(global), local);
-        let (observations, samples) = (self.flights[flight], self.samples[flight]);
-        squares(self.problem, observations, unknowns, samples, self.loss)
+        self.at(flight, unknowns).squares(self.loss)
     }
 
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
@@ -207,7 +213,7 @@ impl FixedGlobal<'_> {
         local: &DVector<f64>,
         samples: usize,
     ) -> Option<f64> {
-        let unknowns = (self.global, local);
-        robust_scale(&residuals(self.problem, observations, unknowns, samples).ok()?)
+        let at = FlightAt::new(self.problem, observations, (self.global, local));
+        robust_scale(&at.first(samples).residuals().ok()?)
     }
 }

@@ -58,15 +58,12 @@ fn samples(
 ) -> Option<Vec<Sample>> {
     let (problem, observations) = (state.problem, &state.flights[flight]);
     let path = cache.path(&state.flights, flight).ok()?;
-    let bound = problem
-        .body
-        .bind(observations.parameters(problem, &state.global));
+    let bound = observations.bound(problem, &state.global);
     let mut observer = bound.observer();
     let scale = problem.channels[channel].scale;
     let mut found: Vec<(f64, Sample)> = Vec::new();
-    let states = path.states.chunks(observations.manifold.states());
-    for (sample, (state, &time)) in states.zip(&observations.times).enumerate() {
-        let residual = path.residuals[channel].get(sample).copied().flatten();
+    for (sample, time, state) in observations.along(&path.states) {
+        let residual = path.residual(sample, channel);
         let Some(residual) = residual.filter(|_| observations.inlier(sample, channel).is_some())
         else {
             continue;

@@ -6,7 +6,7 @@ use super::residual_cache::Path;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
-use crate::predict::{Residuals, states};
+use crate::predict::{FlightAt, Residuals};
 use crate::problem::FitProblem;
 use crate::report::{FlightEvidence, ResidualPool, SensorEvidence, SquareSums};
 
@@ -96,14 +96,13 @@ pub fn post_fit(
             .collect();
         pool.add(&observations.times, &inliers, noise.of(channel));
     }
-    let conditions = problem.body.bind(observations.parameters(problem, global));
+    let conditions = observations.bound(problem, global);
     let mut observer = conditions.observer();
     let layout = problem.body.layout();
     let mut ranges = vec![EMPTY_RANGE; layout.quantities.len() + layout.states.len()];
-    let width = observations.manifold.states();
     let every = (observations.times.len() / EVALUATED_SAMPLES).max(1);
-    for (sample, state) in path.states.chunks(width).enumerate().step_by(every) {
-        let quantities = observer.quantities(observations.times[sample], state);
+    for (_, time, state) in observations.along(&path.states).step_by(every) {
+        let quantities = observer.quantities(time, state);
         let values = quantities.iter().chain(state);
         for (range, &value) in ranges.iter_mut().zip(values) {
             if value.is_finite() {
@@ -119,21 +118,17 @@ pub fn post_fit(
 }
 
 /// Measured and predicted values of a flight, for figures; `None` if its trajectory cannot be computed.
-pub fn evidence(
-    problem: &FitProblem,
-    observations: &Observations,
-    (global, local): (&DVector<f64>, &DVector<f64>),
-) -> Option<FlightEvidence> {
+pub fn evidence(at: FlightAt<'_>) -> Option<FlightEvidence> {
+    let (problem, observations, samples) = (at.problem, at.observations, at.samples);
     // What summaries tell is no motion over time.
     if observations.is_summary {
         return None;
     }
-    let samples = observations.times.len();
-    let trajectory = states(problem, observations, (global, local), samples).ok()?;
-    let parameters = observations.parameters(problem, global);
+    let trajectory = at.states().ok()?;
+    let parameters = observations.parameters(problem, at.global);
     let conditions = ChannelConditions::new(problem, &parameters);
     let mut observers = conditions.observers();
-    let bound = problem.body.bind(parameters.clone());
+    let bound = problem.body.bind(parameters);
     let mut observer = bound.observer();
     let layout = problem.body.layout();
     let channels = problem.channels.iter().enumerate();
@@ -177,8 +172,7 @@ pub fn evidence(
         input_units: names.iter().map(|name| unit(name)).collect(),
         inputs: observations.times.iter().map(values).collect(),
     };
-    let states = trajectory.chunks(observations.manifold.states());
-    for (sample, (&time, state)) in observations.times.iter().zip(states).enumerate() {
+    for (sample, time, state) in observations.along(&trajectory) {
         let mut residual = |channel: usize, measured: [f64; 3]| {
             let residual = observers.residual(time, state, channel, measured);
             residual.map(|residual| residual / problem.channels[channel].scale)

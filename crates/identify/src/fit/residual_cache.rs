@@ -13,7 +13,7 @@ use crate::least_squares::{FailedFlight, Solution, SolveError, StoppingCriteria,
 use crate::levels::{ROBUST_ERROR, UNLIKE};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
-use crate::predict::{Loss, Residuals, residuals, residuals_of, robust_scale, states};
+use crate::predict::{FlightAt, Loss, Residuals, residuals_along, robust_scale};
 use crate::problem::FitProblem;
 use dataset::Dataset;
 use dataset::statistics::median_of;
@@ -35,7 +35,20 @@ pub struct Path {
     pub residuals: Residuals,
 }
 
+impl Path {
+    /// Residual of a channel in a sample; `None` if it is not measured, or beyond the end of the path.
+    pub fn residual(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
+        *self.residuals[channel].get(sample)?
+    }
+}
+
 impl State<'_> {
+    /// A flight at the present values of the unknowns.
+    pub fn at(&self, flight: usize) -> FlightAt<'_> {
+        let unknowns = (&self.global, &self.local[flight]);
+        FlightAt::new(self.problem, &self.flights[flight], unknowns)
+    }
+
     /// Trajectories and residuals of all fitted flights over their whole lengths, at the present values.
     pub fn residuals(&self) -> ResidualCache {
         let samples = self.flights.iter().map(|flight| flight.times.len());
@@ -46,15 +59,12 @@ impl State<'_> {
 impl ResidualCache {
     /// Residuals of each flight in its first `samples[flight]` samples.
     pub fn new(state: &State<'_>, samples: &[usize]) -> Self {
-        let (problem, options) = (state.problem, state.options);
-        let count = state.flights.len();
-        Self(parallel::each_on(options.threads(), count, |flight| {
-            let (observations, global) = (&state.flights[flight], &state.global);
-            let unknowns = (global, &state.local[flight]);
-            let path = states(problem, observations, unknowns, samples[flight]);
-            let path = path.and_then(|states| {
+        let (threads, count) = (state.options.threads(), state.flights.len());
+        Self(parallel::each_on(threads, count, |flight| {
+            let at = state.at(flight).first(samples[flight]);
+            let path = at.states().and_then(|states| {
                 Ok(Path {
-                    residuals: residuals_of(problem, observations, global, &states)?,
+                    residuals: residuals_along(at.problem, at.observations, at.global, &states)?,
                     states,
                 })
             });
@@ -214,13 +224,12 @@ pub fn bound_global_errors(state: &mut State<'_>, cache: ResidualCache) -> Resid
     let (problem, options) = (state.problem, state.options);
     let scales = cache.scales();
     let factors = parallel::each_on(options.threads(), state.flights.len(), |flight| {
-        let observations = &state.flights[flight];
-        let unknowns = (&state.global, &state.local[flight]);
-        let samples = observations.times.len();
-        let coarse = residuals(problem, observations, unknowns, samples).ok()?;
-        let mut finely = observations.clone();
+        let at = state.at(flight);
+        let coarse = at.residuals().ok()?;
+        let mut finely = at.observations.clone();
         finely.tolerance_factor *= FACTORS.0;
-        let fine = residuals(problem, &finely, unknowns, samples).ok()?;
+        let observations = &finely;
+        let fine = FlightAt { observations, ..at }.residuals().ok()?;
         let [coarse, fine] = [&coarse, &fine].map(|all| all.iter().flatten().flatten().flatten());
         let differences = coarse.zip(fine).map(|(coarse, fine)| (coarse - fine).abs());
         let size = scales[flight]?.max(problem.sigma0);

@@ -15,7 +15,7 @@ use crate::least_squares::Unknowns;
 use crate::levels::FAR_ABOVE;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
-use crate::predict::{Loss, linearise, states};
+use crate::predict::{FlightAt, Loss};
 use crate::problem::FitProblem;
 
 /// Maximum ratio of the rms residual scale of a new fit to that of the present one, for it to be accepted.
@@ -129,7 +129,7 @@ fn undistorted_guess(
     let mut found: Option<DVector<f64>> = None;
     for _ in 0..PASSES {
         let local = found.as_ref().unwrap_or(local);
-        let undistorted = without_distortion(at.problem, &first, (at.global, local));
+        let undistorted = without_distortion(FlightAt::new(at.problem, &first, (at.global, local)));
         let Some(next) = undistorted.and_then(|undistorted| guess(at.problem, &undistorted)) else {
             break;
         };
@@ -153,7 +153,7 @@ fn from_undistorted<'a>(state: &State<'a>) -> Result<Option<Arrival<'a>>, FitErr
     let of_measurement = (0..global.len()).filter(|&index| {
         let mut changed = global.clone();
         changed[index] = state.global[index];
-        without_distortion(problem, &first, (&changed, local)).is_some()
+        without_distortion(FlightAt::new(problem, &first, (&changed, local))).is_some()
     });
     let of_measurement: Vec<usize> = of_measurement.collect();
     if of_measurement.is_empty() {
@@ -186,25 +186,20 @@ fn from_undistorted<'a>(state: &State<'a>) -> Result<Option<Arrival<'a>>, FitErr
     Ok(Some((started, cache)))
 }
 
-/// Samples less the distortion: the predicted marker positions with the parameters `global` less those with the model's
+/// Samples less the distortion: the predicted marker positions with the global parameters less those with the model's
 /// values on the same trajectory. `None` if it is negligible, or the pose is not that of markers alone.
-fn without_distortion(
-    problem: &FitProblem,
-    observations: &Observations,
-    (global, local): (&DVector<f64>, &DVector<f64>),
-) -> Option<Observations> {
+fn without_distortion(at: FlightAt<'_>) -> Option<Observations> {
+    let (problem, observations) = (at.problem, at.observations);
     if !problem.is_shown_by_markers() {
         return None;
     }
-    let samples = observations.times.len();
-    let trajectory = states(problem, observations, (global, local), samples).ok()?;
-    let bound = [global, &problem.model_values()]
+    let trajectory = at.states().ok()?;
+    let bound = [at.global, &problem.model_values()]
         .map(|global| ChannelConditions::new(problem, &observations.parameters(problem, global)));
     let [mut distorted, mut plain] = bound.each_ref().map(ChannelConditions::observers);
     let mut found = observations.clone();
     let mut greatest: f64 = 0.0;
-    let states = trajectory.chunks(observations.manifold.states());
-    for (sample, (state, &time)) in states.zip(&observations.times).enumerate() {
+    for (sample, time, state) in observations.along(&trajectory) {
         for marker in 0..observations.markers {
             let Some(point) = &mut found.measured[sample * observations.channels + marker] else {
                 continue;
@@ -231,10 +226,8 @@ fn without_effect(state: &State<'_>) -> Vec<(usize, f64)> {
     let problem = state.problem;
     let loss = Loss::Huber(problem.sigma0);
     let mut effect = vec![0.0; problem.globals.len()];
-    for (flight, local) in state.flights.iter().zip(&state.local) {
-        let unknowns = (&state.global, local);
-        let samples = flight.times.len();
-        if let Ok(block) = linearise(problem, flight, unknowns, samples, Unknowns::All, loss) {
+    for flight in 0..state.flights.len() {
+        if let Ok(block) = state.at(flight).linearise(Unknowns::All, loss) {
             for (index, effect) in effect.iter_mut().enumerate() {
                 *effect += block.global[(index, index)];
             }

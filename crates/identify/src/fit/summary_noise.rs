@@ -13,7 +13,7 @@ use crate::least_squares::{NormalBlock, ScaledCholesky, pseudo_inverse};
 use crate::noise::NoiseModel;
 use crate::numbers::{probability, significant};
 use crate::observations::Observations;
-use crate::predict::{add_state_priors, each_residual};
+use crate::predict::{FlightAt, add_state_priors};
 use crate::problem::FitProblem;
 
 /// Maximum number of iterations, and relative change of the standard deviations at their end.
@@ -81,10 +81,9 @@ pub fn estimate(state: &State<'_>, noise: &mut NoiseModel) -> Result<(), FlightE
 type FlightRows<'a> = (Vec<Row>, &'a Observations, &'a DVector<f64>);
 
 fn flights<'a>(state: &'a State<'_>) -> Result<Vec<FlightRows<'a>>, FlightError> {
-    let flights = state.flights.iter().zip(&state.local);
-    let summaries = flights.filter(|(flight, _)| flight.is_summary);
-    let with_rows =
-        summaries.map(|(flight, local)| Ok((rows(state, flight, local)?, flight, local)));
+    let flights = (0..state.flights.len()).map(|flight| state.at(flight));
+    let summaries = flights.filter(|at| at.observations.is_summary);
+    let with_rows = summaries.map(|at| Ok((rows(at)?, at.observations, at.local)));
     with_rows.collect()
 }
 
@@ -220,33 +219,17 @@ fn doubt_of_assumptions(
     })
 }
 
-fn rows(
-    state: &State<'_>,
-    flight: &Observations,
-    local: &DVector<f64>,
-) -> Result<Vec<Row>, FlightError> {
-    let problem = state.problem;
-    let conditions = problem.body.bind(flight.parameters(problem, &state.global));
-    let globals: Vec<_> = problem.globals.iter().map(|global| global.param).collect();
-    let unknowns = (&state.global, local);
-    let directions = flight.manifold.dimension();
+fn rows(at: FlightAt<'_>) -> Result<Vec<Row>, FlightError> {
+    let directions = at.observations.manifold.dimension();
     let mut rows = Vec::new();
-    let mut motion = conditions.rhs();
-    each_residual(
-        problem,
-        flight,
-        unknowns,
-        &mut motion,
-        &globals,
-        &mut |point| {
-            let (by_local, by_global) = point.rows[0].split_at(directions);
-            rows.push(Row {
-                channel: point.channel,
-                residual: point.residual[0],
-                by_local: DVector::from_column_slice(by_local),
-                by_global: DVector::from_column_slice(by_global),
-            });
-        },
-    )?;
+    at.each_residual(&at.problem.global_parameters(), &mut |point| {
+        let (by_local, by_global) = point.rows[0].split_at(directions);
+        rows.push(Row {
+            channel: point.channel,
+            residual: point.residual[0],
+            by_local: DVector::from_column_slice(by_local),
+            by_global: DVector::from_column_slice(by_global),
+        });
+    })?;
     Ok(rows)
 }

@@ -13,7 +13,7 @@ use crate::least_squares::{NormalBlock, pseudo_inverse};
 use crate::levels::MIN_SERIES;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::predict::{each_residual, residuals};
+use crate::predict::FlightAt;
 use crate::report::InputNoise;
 
 /// Orders of the differences that show the noise of an input. In each further one a signal becomes smaller beside the
@@ -135,42 +135,33 @@ impl Sums {
         noise: &NoiseModel,
         (name, sigma, seed): (&str, f64, u64),
     ) -> Option<()> {
-        let problem = fit.problem();
-        let (observed, local) = fit.flight(flight.id)?;
-        let unknowns = (fit.global(), local);
+        let at = fit.at(flight.id)?;
+        let observed = at.observations;
         let noisy = Observations {
             inputs: noisy(fit, &observed.inputs, name, (sigma, seed))?,
             ..observed.clone()
         };
-        let other = residuals(problem, &noisy, unknowns, observed.times.len()).ok()?;
+        let observations = &noisy;
+        let other = FlightAt { observations, ..at }.residuals().ok()?;
         let none = DVector::zeros(0);
         let mut changes = NormalBlock::zero(observed.manifold.dimension(), 0);
         let mut squares = 0.0;
-        let parameters = observed.parameters(problem, fit.global());
-        let bound = problem.body.bind(parameters);
-        each_residual(
-            problem,
-            observed,
-            unknowns,
-            &mut bound.rhs(),
-            &[],
-            &mut |point| {
-                let with_noise = other[point.channel].get(point.sample).copied().flatten();
-                let (Some(with_noise), Some(_)) =
-                    (with_noise, observed.inlier(point.sample, point.channel))
-                else {
-                    return;
-                };
-                let axes = problem.channels[point.channel].components;
-                for (axis, other) in with_noise.into_iter().enumerate().take(axes) {
-                    let weight = 1.0 / noise.of(point.channel).sigma[axis];
-                    let row = DVector::from_row_slice(&point.rows[axis]) * weight;
-                    changes.add((other - point.residual[axis]) * weight, &row, &none);
-                    squares += (point.residual[axis] * weight).powi(2);
-                }
-            },
-        )
-        .ok()?;
+        let done = at.each_residual(&[], &mut |point| {
+            let with_noise = other[point.channel].get(point.sample).copied().flatten();
+            let (Some(with_noise), Some(_)) =
+                (with_noise, observed.inlier(point.sample, point.channel))
+            else {
+                return;
+            };
+            let axes = at.problem.channels[point.channel].components;
+            for (axis, other) in with_noise.into_iter().enumerate().take(axes) {
+                let weight = 1.0 / noise.of(point.channel).sigma[axis];
+                let row = DVector::from_row_slice(&point.rows[axis]) * weight;
+                changes.add((other - point.residual[axis]) * weight, &row, &none);
+                squares += (point.residual[axis] * weight).powi(2);
+            }
+        });
+        done.ok()?;
         let gradient = &changes.local_gradient;
         let inverse = pseudo_inverse(&changes.local);
         let taken = inverse.map_or(0.0, |inverse| gradient.dot(&(inverse * gradient)));

@@ -112,19 +112,17 @@ fn reduce(
     targets: &[Target],
     (quantities, index): (&[Quantity], usize),
 ) -> Result<Option<Reduced>, FitError> {
-    let Some((observed, local)) = fit.flight(flight.id) else {
+    let Some(at) = fit.at(flight.id) else {
         return Ok(None);
     };
     // Functions of time that are added, one per column: 1, then the quantities.
     let functions = 1 + quantities.len();
-    let weights = DMatrix::from_fn(observed.times.len(), functions, |sample, k| match k {
+    let weights = DMatrix::from_fn(at.samples, functions, |sample, k| match k {
         0 => 1.0,
         k => quantities[k - 1].values[index][sample],
     });
-    let (problem, unknowns) = (fit.problem(), (fit.global(), local));
-    let terms = (targets, &weights);
-    let found = linearise_with_terms(problem, observed, unknowns, fit.noise(), terms);
-    let found = found.map_err(|reason| flight_error(observed, reason))?;
+    let found = linearise_with_terms(at, fit.noise(), (targets, &weights));
+    let found = found.map_err(|reason| flight_error(at.observations, reason))?;
     Ok(found.and_then(|(block, tested): (NormalBlock, _)| {
         let without = SchurComplement::new(&block, 0.0)?;
         let tested = without.tested(&block, tested);

@@ -20,7 +20,6 @@ use crate::error::FitError;
 use crate::fit::{Fit, flight_error};
 use crate::ids::FlightId;
 use crate::observations::Observations;
-use crate::predict::each_residual;
 use crate::problem::RESIDUAL_TOLERANCE;
 use crate::report::{
     FlightEvidence, InputNoise, LACK_OF_FIT_LEVEL, LackOfFit, MissingTerm, SmoothMisfit,
@@ -228,9 +227,7 @@ impl FittedFlight<'_> {
         let problem = fit.problem();
         let mut channels = problem.channels.iter();
         channels.find(|own| own.kind == ChannelKind::Attitude)?;
-        let bound = problem
-            .body
-            .bind(self.observed.parameters(problem, fit.global()));
+        let bound = self.observed.bound(problem, fit.global());
         let mut observer = bound.observer();
         let samples = self.evidence.times.iter().zip(&self.evidence.states);
         let rows = samples.map(|(time, state)| {
@@ -291,41 +288,29 @@ impl FittedFlight<'_> {
 
     /// Residuals of the inliers with their derivatives by the local parameters, and the basis of `from`.
     fn with_derivatives(&self, fit: &Fit, from: &FlightSeries) -> Result<FlightSeries, FitError> {
-        let Some((observed, local)) = fit.flight(self.id) else {
+        let Some(at) = fit.at(self.id) else {
             return Ok(FlightSeries {
                 series: Vec::new(),
                 fine: from.fine,
             });
         };
-        let problem = fit.problem();
-        let unknowns = (fit.global(), local);
-        let conditions = problem
-            .body
-            .bind(observed.parameters(problem, fit.global()));
+        let (channels, observed) = (&at.problem.channels, at.observations);
         let count = 1 + observed.manifold.dimension();
         let mut series = empty_series(observed.channels, count);
-        let mut motion = conditions.rhs();
-        each_residual(
-            problem,
-            observed,
-            unknowns,
-            &mut motion,
-            &[],
-            &mut |point| {
-                let is_left_out = problem.channels[point.channel].shows_rounding(fit.noise());
-                if is_left_out || observed.inlier(point.sample, point.channel).is_none() {
-                    return;
-                }
-                let components = problem.channels[point.channel].components;
-                let axes = series[point.channel].iter_mut().zip(point.rows);
-                for ((series, row), residual) in axes.zip(point.residual).take(components) {
-                    series.times.push(observed.times[point.sample]);
-                    series.sides.push(residual);
-                    series.sides.extend_from_slice(row);
-                }
-            },
-        )
-        .map_err(|reason| flight_error(observed, reason))?;
+        let done = at.each_residual(&[], &mut |point| {
+            let channel = &channels[point.channel];
+            let is_left_out = channel.shows_rounding(fit.noise());
+            if is_left_out || observed.inlier(point.sample, point.channel).is_none() {
+                return;
+            }
+            let axes = series[point.channel].iter_mut().zip(point.rows);
+            for ((series, row), residual) in axes.zip(point.residual).take(channel.components) {
+                series.times.push(observed.times[point.sample]);
+                series.sides.push(residual);
+                series.sides.extend_from_slice(row);
+            }
+        });
+        done.map_err(|reason| flight_error(observed, reason))?;
         Ok(FlightSeries {
             series,
             fine: from.fine,

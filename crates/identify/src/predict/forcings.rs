@@ -1,12 +1,11 @@
 //! Normal equations with tested terms of the equations of motion: rates of states to which a function of time is added.
 
-use model_spec::layout::ParamId;
 use nalgebra::{DMatrix, DVector};
 use ode::DifferentiableRhs;
 
 use super::term_products::TermProducts;
 use super::weighted_rows::{self, WeightedRows};
-use super::{JacobianColumns, Loss, TrajectoryPass};
+use super::{FlightAt, JacobianColumns, Loss, TrajectoryPass};
 use crate::error::FlightError;
 use crate::ids::GlobalId;
 use crate::least_squares::{GramAccumulator, NormalBlock, TestedParameters};
@@ -35,7 +34,7 @@ pub(crate) fn targets(
     observations: &Observations,
     global: &DVector<f64>,
 ) -> Vec<Target> {
-    let conditions = problem.body.bind(observations.parameters(problem, global));
+    let conditions = observations.bound(problem, global);
     let motion = conditions.rhs();
     let pattern = motion.parameter_jacobian_pattern();
     let globals = problem.globals.iter().enumerate();
@@ -72,26 +71,21 @@ struct Row {
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
 pub(crate) fn linearise_with_terms(
-    problem: &FitProblem,
-    observations: &Observations,
-    (global, local): (&DVector<f64>, &DVector<f64>),
+    at: FlightAt<'_>,
     noise: &NoiseModel,
     (targets, weights): (&[Target], &DMatrix<f64>),
 ) -> Result<Option<(NormalBlock, TestedParameters)>, FlightError> {
+    let (problem, observations) = (at.problem, at.observations);
     let locals = observations.manifold.dimension();
     if locals == 0 {
         return Ok(None);
     }
-    let conditions = problem.body.bind(observations.parameters(problem, global));
-    let parameters: Vec<ParamId> = problem.globals.iter().map(|global| global.param).collect();
+    let conditions = at.bound();
+    let parameters = problem.global_parameters();
     let mut motion = conditions.rhs();
-    let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), &parameters);
+    let columns = JacobianColumns::new(observations, &motion, &parameters);
     let pass = TrajectoryPass {
-        problem,
-        observations,
-        global,
-        local,
-        samples: observations.times.len(),
+        at,
         tolerance: problem.tolerance * problem.sigma0 * observations.tolerance_factor,
         with_outliers: false,
     };
@@ -128,7 +122,7 @@ pub(crate) fn linearise_with_terms(
         }
     }
     let (mut block, tested) = sum.accumulator.finish();
-    weighted_rows::add_priors(problem, observations, local, &mut block);
+    weighted_rows::add_priors(at, &mut block);
     Ok(Some((block, tested)))
 }
 
@@ -277,7 +271,8 @@ mod tests {
         let dataset = flights(&model, &[release], &plan).unwrap().dataset;
         let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
         let observations = Observations::new(&problem, &dataset.flights[0]).unwrap();
-        let (global, local) = (problem.model_values(), [0.0, 0.0, 2.0, 9.0, 1.0, 3.0]);
+        let global = problem.model_values();
+        let local = DVector::from_row_slice(&[0.0, 0.0, 2.0, 9.0, 1.0, 3.0]);
         let targets = targets(&problem, &observations, &global);
         let place = |name: &str| {
             let mut globals = problem.globals.iter();
@@ -295,9 +290,7 @@ mod tests {
             _ => late(times[sample]),
         });
         let found = linearise_with_terms(
-            &problem,
-            &observations,
-            (&global, &DVector::from_row_slice(&local)),
+            FlightAt::new(&problem, &observations, (&global, &local)),
             &NoiseModel::white(1e-3, 1.0 / 400.0),
             (&targets, &weights),
         );

@@ -4,7 +4,7 @@ use flight::ObservationJacobians;
 use lanes::{Kernel, Lanes};
 use model_spec::layout::ParamId;
 use nalgebra::DMatrix;
-use ode::SensitivityLayout;
+use ode::{DifferentiableRhs, SensitivityLayout};
 
 use crate::ids::LocalId;
 use crate::least_squares::GramAccumulator;
@@ -21,13 +21,13 @@ pub(crate) struct JacobianColumns<'p> {
 }
 
 impl<'p> JacobianColumns<'p> {
-    /// Assigns columns to the directions of the initial state and to `parameters`. `pattern` contains the (row, column)
-    /// indices of the nonzero entries of ∂f/∂x.
+    /// Assigns columns to the directions of the initial state and to `parameters`, for the equations of motion `motion`.
     pub fn new(
         observations: &Observations,
-        pattern: &[(usize, usize)],
+        motion: &dyn DifferentiableRhs,
         parameters: &'p [ParamId],
     ) -> Self {
+        let pattern = motion.jacobian_pattern();
         let manifold = &observations.manifold;
         let dimension = manifold.dimension();
         let constant: Vec<(usize, usize)> = (0..dimension)

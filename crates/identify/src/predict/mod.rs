@@ -11,6 +11,7 @@ mod term_sums;
 mod trajectory_pass;
 mod weighted_rows;
 
+use flight::BoundModel;
 use model_spec::layout::ParamId;
 use nalgebra::DVector;
 use ode::DifferentiableRhs;
@@ -18,9 +19,8 @@ use ode::DifferentiableRhs;
 pub(crate) use self::forcings::{Target, linearise_with_terms, targets};
 pub(crate) use self::jacobian_columns::JacobianColumns;
 pub use self::observed_point::Residuals;
-pub use self::squares::squares;
-pub(crate) use self::trajectory_pass::TrajectoryPass;
-pub use self::trajectory_pass::{residuals, residuals_of, robust_scale, states};
+pub use self::trajectory_pass::robust_scale;
+pub(crate) use self::trajectory_pass::{TrajectoryPass, residuals_along};
 use self::weighted_rows::WeightedRows;
 pub(crate) use self::weighted_rows::add_state_priors;
 use crate::error::FlightError;
@@ -38,29 +38,133 @@ pub enum Loss<'a> {
     Whitened(&'a NoiseModel),
 }
 
-/// Normal equations of the first `samples` samples of a flight at the given global and local parameters, with
-/// derivatives selected by `unknowns`.
-///
-/// # Errors
-/// [`FlightError::Integration`] if the trajectory cannot be computed.
-pub fn linearise(
-    problem: &FitProblem,
-    observations: &Observations,
-    (global, local): (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-    unknowns: Unknowns,
-    loss: Loss<'_>,
-) -> Result<NormalBlock, FlightError> {
-    let conditions = problem.body.bind(observations.parameters(problem, global));
-    let columns: Vec<ParamId> = match unknowns {
-        Unknowns::Local => Vec::new(),
-        Unknowns::All => problem.globals.iter().map(|global| global.param).collect(),
-    };
-    let mut motion = conditions.rhs();
-    let by: (&mut dyn DifferentiableRhs, _) = (&mut motion, columns.as_slice());
-    let unknowns = (global, local);
-    let accuracy = (loss, tolerance_of(problem, loss));
-    linearise_within(problem, observations, unknowns, samples, accuracy, by, None)
+/// A flight at values of its unknowns, from which its observations are predicted.
+#[derive(Clone, Copy)]
+pub struct FlightAt<'a> {
+    /// The estimation problem.
+    pub problem: &'a FitProblem,
+    /// Samples of the flight.
+    pub observations: &'a Observations,
+    /// Global parameters, SI.
+    pub global: &'a DVector<f64>,
+    /// Initial state, SI.
+    pub local: &'a DVector<f64>,
+    /// Number of samples that are predicted, counted from the first one.
+    pub samples: usize,
+}
+
+impl<'a> FlightAt<'a> {
+    /// All samples of a flight, at global parameters and an initial state.
+    pub fn new(
+        problem: &'a FitProblem,
+        observations: &'a Observations,
+        (global, local): (&'a DVector<f64>, &'a DVector<f64>),
+    ) -> Self {
+        Self {
+            problem,
+            observations,
+            global,
+            local,
+            samples: observations.times.len(),
+        }
+    }
+
+    /// The first samples of the flight alone.
+    pub fn first(self, samples: usize) -> Self {
+        Self { samples, ..self }
+    }
+
+    /// The compiled model with the parameters of the flight.
+    pub fn bound(self) -> BoundModel<'a> {
+        self.observations.bound(self.problem, self.global)
+    }
+
+    /// Normal equations of the flight, with derivatives selected by `unknowns`.
+    ///
+    /// # Errors
+    /// [`FlightError::Integration`] if the trajectory cannot be computed.
+    pub fn linearise(self, unknowns: Unknowns, loss: Loss<'_>) -> Result<NormalBlock, FlightError> {
+        let columns = match unknowns {
+            Unknowns::Local => Vec::new(),
+            Unknowns::All => self.problem.global_parameters(),
+        };
+        let accuracy = (loss, tolerance_of(self.problem, loss));
+        self.linearise_within(accuracy, (&mut self.bound().rhs(), &columns), None)
+    }
+
+    /// [`linearise`](Self::linearise) with given equations of motion and indices of model parameters: derivatives are by
+    /// the local parameters, followed by these. The first call with a `cache` stores the trajectory in it, and later ones
+    /// reuse it; only the loss and the outliers may change between calls.
+    ///
+    /// # Errors
+    /// [`FlightError::Integration`] if the trajectory cannot be computed.
+    pub fn linearise_with(
+        self,
+        loss: Loss<'_>,
+        by: (&mut dyn DifferentiableRhs, &[ParamId]),
+        cache: Option<&mut Option<Vec<f64>>>,
+    ) -> Result<NormalBlock, FlightError> {
+        // Later calls may weight the trajectory in the cache by less noise.
+        let tolerance = match loss {
+            Loss::Huber(_) => tolerance_of(self.problem, loss),
+            Loss::Whitened(_) => self.problem.tolerance * self.problem.sigma0,
+        };
+        self.linearise_within((loss, tolerance), by, cache)
+    }
+
+    /// [`linearise_with`](Self::linearise_with) within a given tolerance, m.
+    fn linearise_within(
+        self,
+        (loss, tolerance): (Loss<'_>, f64),
+        (motion, parameters): (&mut dyn DifferentiableRhs, &[ParamId]),
+        cache: Option<&mut Option<Vec<f64>>>,
+    ) -> Result<NormalBlock, FlightError> {
+        let columns = JacobianColumns::new(self.observations, motion, parameters);
+        let mut rows = WeightedRows::new(columns.accumulator(), &self.problem.channels, loss);
+        let pass = TrajectoryPass {
+            at: self,
+            tolerance: tolerance * self.observations.tolerance_factor,
+            with_outliers: matches!(loss, Loss::Huber(_)),
+        };
+        pass.each_point(motion, &columns, cache, |point| {
+            rows.add(point.channel, point.time, point.rows, point.residual);
+        })?;
+        let mut block = rows.accumulator.block();
+        weighted_rows::add_priors(self, &mut block);
+        Ok(block)
+    }
+
+    /// Calls `each` with every residual of the flight, outliers included, sample by sample. Derivatives are by the local
+    /// parameters, followed by `parameters`.
+    ///
+    /// # Errors
+    /// [`FlightError::Integration`] if the trajectory cannot be computed.
+    pub fn each_residual(
+        self,
+        parameters: &[ParamId],
+        each: &mut dyn FnMut(PointResidual<'_>),
+    ) -> Result<(), FlightError> {
+        self.each_residual_with((&mut self.bound().rhs(), parameters), each)
+    }
+
+    /// [`each_residual`](Self::each_residual) with given equations of motion.
+    ///
+    /// # Errors
+    /// [`FlightError::Integration`] if the trajectory cannot be computed.
+    pub fn each_residual_with(
+        self,
+        (motion, parameters): (&mut dyn DifferentiableRhs, &[ParamId]),
+        each: &mut dyn FnMut(PointResidual<'_>),
+    ) -> Result<(), FlightError> {
+        let columns = JacobianColumns::new(self.observations, motion, parameters);
+        let pass = TrajectoryPass {
+            at: self,
+            tolerance: self.observations.residual_tolerance(self.problem),
+            with_outliers: true,
+        };
+        pass.each_residual(motion, &columns, None, each)?;
+        Ok(())
+    }
 }
 
 /// Tolerance, m, of the integration for residuals under `loss`. Residuals far above the initial noise, of a model that does
@@ -74,94 +178,6 @@ fn tolerance_of(problem: &FitProblem, loss: Loss<'_>) -> f64 {
             problem.tolerance * if is_misfit { least } else { problem.sigma0 }
         }
     }
-}
-
-/// [`linearise`] with given equations of motion and indices of model parameters in `by`: derivatives are by the local
-/// parameters, followed by these. The first call with a `cache` stores the trajectory in it, and later ones reuse it;
-/// only the loss and the outliers may change between calls.
-///
-/// # Errors
-/// [`FlightError::Integration`] if the trajectory cannot be computed.
-pub fn linearise_with(
-    problem: &FitProblem,
-    observations: &Observations,
-    unknowns: (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-    loss: Loss<'_>,
-    (motion, parameters): (&mut dyn DifferentiableRhs, &[ParamId]),
-    cache: Option<&mut Option<Vec<f64>>>,
-) -> Result<NormalBlock, FlightError> {
-    // Later calls may weight the trajectory in the cache by less noise.
-    let tolerance = match loss {
-        Loss::Huber(_) => tolerance_of(problem, loss),
-        Loss::Whitened(_) => problem.tolerance * problem.sigma0,
-    };
-    let (accuracy, by) = ((loss, tolerance), (motion, parameters));
-    linearise_within(
-        problem,
-        observations,
-        unknowns,
-        samples,
-        accuracy,
-        by,
-        cache,
-    )
-}
-
-/// [`linearise_with`] within a given tolerance, m.
-fn linearise_within(
-    problem: &FitProblem,
-    observations: &Observations,
-    (global, local): (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-    (loss, tolerance): (Loss<'_>, f64),
-    (motion, parameters): (&mut dyn DifferentiableRhs, &[ParamId]),
-    cache: Option<&mut Option<Vec<f64>>>,
-) -> Result<NormalBlock, FlightError> {
-    let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), parameters);
-    let mut rows = WeightedRows::new(columns.accumulator(), &problem.channels, loss);
-    let pass = TrajectoryPass {
-        problem,
-        observations,
-        global,
-        local,
-        samples,
-        tolerance: tolerance * observations.tolerance_factor,
-        with_outliers: matches!(loss, Loss::Huber(_)),
-    };
-    pass.each_point(motion, &columns, cache, |point| {
-        rows.add(point.channel, point.time, point.rows, point.residual);
-    })?;
-    let mut block = rows.accumulator.block();
-    weighted_rows::add_priors(problem, observations, local, &mut block);
-    Ok(block)
-}
-
-/// Calls `each` with every residual of a flight, outliers included, sample by sample. Derivatives are by the local
-/// parameters, followed by `parameters`.
-///
-/// # Errors
-/// [`FlightError::Integration`] if the trajectory cannot be computed.
-pub fn each_residual(
-    problem: &FitProblem,
-    observations: &Observations,
-    (global, local): (&DVector<f64>, &DVector<f64>),
-    motion: &mut dyn DifferentiableRhs,
-    parameters: &[ParamId],
-    each: &mut dyn FnMut(PointResidual<'_>),
-) -> Result<(), FlightError> {
-    let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), parameters);
-    let pass = TrajectoryPass {
-        problem,
-        observations,
-        global,
-        local,
-        samples: observations.times.len(),
-        tolerance: observations.residual_tolerance(problem),
-        with_outliers: true,
-    };
-    pass.each_residual(motion, &columns, None, each)?;
-    Ok(())
 }
 
 /// Residual of one channel in one sample, with its derivatives.

@@ -6,6 +6,7 @@ use flight::{ModelObserver, ModelState};
 use nalgebra::DVector;
 use ode::{AlignedVec, Event, Occurrence, OdeRhs, Sensitivities};
 
+use super::TrajectoryPass;
 use super::jacobian_columns::JacobianColumns;
 use super::observed_point::{ObservedPoint, Residuals, integration_options};
 use crate::channel::{Channel, ChannelKind};
@@ -76,7 +77,7 @@ fn residual(own: &Channel, of: SummaryValue, at: &AtEvent, measured: f64) -> f64
     (predicted / own.to_si - measured) * own.scale
 }
 
-/// Residuals of a flight from its initial state, as those of [`residuals`](crate::predict::residuals).
+/// Residuals of a flight from its initial state.
 pub(crate) fn residuals(
     problem: &FitProblem,
     observations: &Observations,
@@ -128,24 +129,21 @@ pub(crate) fn residuals(
 
 /// Integrates a flight to its landing and calls `each` with every value and its derivatives.
 pub(crate) fn each_point(
-    ((problem, observations), global, tolerance): (
-        (&FitProblem, &Observations),
-        &DVector<f64>,
-        f64,
-    ),
+    pass: &TrajectoryPass<'_>,
     variations: &mut Sensitivities<'_>,
     start: &AlignedVec,
     columns: &JacobianColumns<'_>,
     mut each: impl FnMut(ObservedPoint<'_>),
 ) -> Result<(), FlightError> {
+    let (problem, observations) = (pass.at.problem, pass.at.observations);
     let summary = summary_of(problem)?;
-    let bound = summary.bind(&observations.parameters(problem, global));
+    let bound = summary.bind(&observations.parameters(problem, pass.at.global));
     let mut observers: Vec<(usize, ModelObserver<'_>)> =
         bound.iter().map(|(k, own)| (*k, own.observer())).collect();
     let wanted = seen(problem, observations);
     let mut found = Vec::new();
     if wanted.iter().any(|event| *event != SummaryEvent::Release) {
-        let options = integration_options(tolerance, 1);
+        let options = integration_options(pass.tolerance, 1);
         let (from, end) = ((0.0, start), Release::MAX_DURATION);
         let mut events = events(summary);
         let path = variations.integrate_to_event(from, end, &options, &mut events)?;

@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use flight::{BoundModel, ModelState, ObservationJacobians};
-use model_spec::layout::ParamId;
 use nalgebra::DVector;
 use ode::{
     DifferentiableRhs, IntegrationError, IntegrationFailure, Sensitivities, SensitivityLayout,
@@ -11,7 +10,7 @@ use ode::{
 
 use super::jacobian_columns::JacobianColumns;
 use super::observed_point::{ObservedPoint, Residuals, integration_options};
-use super::{PointResidual, summary_pass};
+use super::{FlightAt, PointResidual, summary_pass};
 use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
@@ -20,12 +19,8 @@ use dataset::statistics::robust_sigma;
 
 /// One integration of a flight with sensitivities, which evaluates every residual.
 pub(crate) struct TrajectoryPass<'a> {
-    pub problem: &'a FitProblem,
-    pub observations: &'a Observations,
-    pub global: &'a DVector<f64>,
-    pub local: &'a DVector<f64>,
-    /// Number of samples that are integrated, counted from the first one.
-    pub samples: usize,
+    pub at: FlightAt<'a>,
+    /// Tolerance of the integration, m.
     pub tolerance: f64,
     /// Whether measured values that are marked as outliers are processed too; if `false`, they are skipped.
     pub with_outliers: bool,
@@ -41,31 +36,33 @@ impl TrajectoryPass<'_> {
         cache: Option<&mut Option<Vec<f64>>>,
         mut each: impl FnMut(ObservedPoint<'_>),
     ) -> Result<SensitivityLayout, FlightError> {
-        let (problem, observations) = (self.problem, self.observations);
-        let parameters: Vec<usize> = columns
-            .parameters
-            .iter()
-            .copied()
-            .map(ParamId::index)
-            .collect();
+        let FlightAt {
+            problem,
+            observations,
+            global,
+            local,
+            samples,
+        } = self.at;
+        let parameters = columns.parameters.iter().map(|own| own.index());
+        let parameters: Vec<usize> = parameters.collect();
         let mut variations = Sensitivities::new(motion, columns.integrated, &parameters);
         let places = variations.layout();
-        let tangent = observations.manifold.tangent(self.local.as_slice());
-        let start = variations.initial_state(self.local.as_slice(), &columns.tangent(&tangent));
+        let tangent = observations.manifold.tangent(local.as_slice());
+        let start = variations.initial_state(local.as_slice(), &columns.tangent(&tangent));
         if observations.is_summary {
-            let of = ((problem, observations), self.global, self.tolerance);
-            summary_pass::each_point(of, &mut variations, &start, columns, each)?;
+            summary_pass::each_point(self, &mut variations, &start, columns, each)?;
             return Ok(places);
         }
-        let values = observations.parameters(problem, self.global);
+        let values = observations.parameters(problem, global);
         let conditions = ChannelConditions::new(problem, &values);
         let mut observers = conditions.observers();
         let mut rows = columns.empty_rows();
-        let times = &observations.times[..self.samples];
+        let times = &observations.times[..samples];
         let mut visit = |sample: usize, both: &[f64]| {
             let (time, state) = (times[sample], places.state(both));
             for channel in 0..observations.channels {
-                let Some(measured) = self.measured(sample, channel) else {
+                let measured = observations.seen(sample, channel, self.with_outliers);
+                let Some(measured) = measured else {
                     continue;
                 };
                 let derive = |by: &ObservationJacobians<'_>, rows: &mut [Vec<f64>; 3]| {
@@ -147,13 +144,6 @@ impl TrajectoryPass<'_> {
             });
         })
     }
-
-    fn measured(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
-        match self.with_outliers {
-            true => self.observations.value(sample, channel),
-            false => self.observations.inlier(sample, channel),
-        }
-    }
 }
 
 /// Returns `ranges` after merging each range that begins at the end of the preceding one with that one.
@@ -170,38 +160,35 @@ fn joined(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
 
 // Trajectories and residuals without derivatives.
 
-/// Integrates a flight and returns the model states at its first `samples` samples, concatenated sample by sample.
-pub fn states(
-    problem: &FitProblem,
-    observations: &Observations,
-    (global, local): (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-) -> Result<Vec<f64>, FlightError> {
-    let tolerance = observations.residual_tolerance(problem);
-    states_within(problem, observations, (global, local), samples, tolerance)
-}
-
-/// As [`states`], within a given integration tolerance, m.
-pub(super) fn states_within(
-    problem: &FitProblem,
-    observations: &Observations,
-    (global, local): (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-    tolerance: f64,
-) -> Result<Vec<f64>, FlightError> {
-    let conditions = problem.body.bind(observations.parameters(problem, global));
-    let start: ModelState = local.as_slice().into();
-    if observations.is_summary {
-        return Ok(start.into());
+impl FlightAt<'_> {
+    /// Integrates the flight and returns the model states at its samples, concatenated sample by sample; for a summary, the
+    /// initial state.
+    pub(crate) fn states(self) -> Result<Vec<f64>, FlightError> {
+        self.states_within(self.observations.residual_tolerance(self.problem))
     }
-    let times = &observations.times[..samples];
-    let mut states = vec![0.0; start.len() * times.len()];
-    let options = integration_options(tolerance, times.len());
-    let from = (times[0], &start);
-    conditions
-        .integrate_at(from, times, &options, &mut [], &mut states)
-        .map_err(|error| beyond_limit(problem, &conditions, error))?;
-    Ok(states)
+
+    /// As [`states`](Self::states), within a given integration tolerance, m.
+    pub(super) fn states_within(self, tolerance: f64) -> Result<Vec<f64>, FlightError> {
+        let start: ModelState = self.local.as_slice().into();
+        if self.observations.is_summary {
+            return Ok(start.into());
+        }
+        let conditions = self.bound();
+        let times = &self.observations.times[..self.samples];
+        let mut states = vec![0.0; start.len() * times.len()];
+        let options = integration_options(tolerance, times.len());
+        let from = (times[0], &start);
+        conditions
+            .integrate_at(from, times, &options, &mut [], &mut states)
+            .map_err(|error| beyond_limit(self.problem, &conditions, error))?;
+        Ok(states)
+    }
+
+    /// Residuals at the samples of the flight.
+    pub(crate) fn residuals(self) -> Result<Residuals, FlightError> {
+        let states = self.states()?;
+        residuals_along(self.problem, self.observations, self.global, &states)
+    }
 }
 
 /// The failure of an integration, which is that of a limit of the model if its last state is beyond one: trajectories of a
@@ -224,20 +211,8 @@ fn beyond_limit(
     error
 }
 
-/// Residuals at the first `samples` samples of a flight.
-pub fn residuals(
-    problem: &FitProblem,
-    observations: &Observations,
-    unknowns: (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-) -> Result<Residuals, FlightError> {
-    let states = states(problem, observations, unknowns, samples)?;
-    residuals_of(problem, observations, unknowns.0, &states)
-}
-
-/// Residuals at the samples of `trajectory`, the model states concatenated sample by sample; for a summary, the
-/// initial state.
-pub fn residuals_of(
+/// Residuals at the samples of a trajectory, that of [`FlightAt::states`].
+pub(crate) fn residuals_along(
     problem: &FitProblem,
     observations: &Observations,
     global: &DVector<f64>,
@@ -249,11 +224,9 @@ pub fn residuals_of(
     let parameters = observations.parameters(problem, global);
     let conditions = ChannelConditions::new(problem, &parameters);
     let mut observers = conditions.observers();
-    let states = observations.manifold.states();
-    let samples = trajectory.len() / states;
+    let samples = trajectory.len() / observations.manifold.states();
     let mut residuals = vec![Vec::with_capacity(samples); observations.channels];
-    for (sample, state) in trajectory.chunks(states).enumerate() {
-        let time = observations.times[sample];
+    for (sample, time, state) in observations.along(trajectory) {
         for (channel, residuals) in residuals.iter_mut().enumerate() {
             let measured = observations.value(sample, channel);
             residuals.push(measured.map(|seen| observers.residual(time, state, channel, seen)));

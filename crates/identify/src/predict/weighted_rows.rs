@@ -1,13 +1,14 @@
 //! Weighting or whitening of the Jacobian rows of residuals, and their summation to normal equations.
 
+use model_spec::layout::StateId;
 use nalgebra::DVector;
 
-use super::Loss;
+use super::{FlightAt, Loss};
 use crate::channel::Channel;
 use crate::least_squares::{GramAccumulator, NormalBlock};
 use crate::noise::{AxesNoise, HUBER_LIMIT};
 use crate::observations::Observations;
-use crate::problem::{FitProblem, wide_deviation};
+use crate::problem::{StatePrior, wide_deviation};
 
 /// What weighted rows are added to.
 pub(super) trait RowSum {
@@ -114,38 +115,18 @@ fn innovations(noise: &AxesNoise, gap: Option<f64>) -> [(f64, f64); 3] {
 
 /// Adds the priors of a flight's own unknowns to its normal equations: weak ones of the initial state where no positions
 /// are measured, and those of unknown or measured states.
-pub(super) fn add_priors(
-    problem: &FitProblem,
-    observations: &Observations,
-    local: &DVector<f64>,
-    block: &mut NormalBlock,
-) {
-    if !problem.sees_positions() && !observations.is_summary {
-        add_weak(problem, observations, local, block);
+pub(super) fn add_priors(at: FlightAt<'_>, block: &mut NormalBlock) {
+    if !at.problem.sees_positions() && !at.observations.is_summary {
+        let states = at.problem.model.states.iter().enumerate();
+        let weak = states.map(|(state, own)| StatePrior {
+            state: StateId::new(state),
+            mean: 0.0,
+            sigma: wide_deviation(&own.unit_text),
+            is_measured: false,
+        });
+        add_all(at.observations, at.local, block, weak);
     }
-    add_state_priors(observations, local, block);
-}
-
-/// Adds the weak priors of the initial state `local` to the normal equations `block`.
-fn add_weak(
-    problem: &FitProblem,
-    observations: &Observations,
-    local: &DVector<f64>,
-    block: &mut NormalBlock,
-) {
-    let states = &problem.model.states;
-    let tangent = observations.manifold.tangent(local.as_slice());
-    let count = block.count;
-    for (index, state) in states.iter().enumerate() {
-        add_prior(
-            block,
-            &tangent,
-            index,
-            local[index],
-            wide_deviation(&state.unit_text),
-        );
-    }
-    block.count = count;
+    add_state_priors(at.observations, at.local, block);
 }
 
 /// Adds the priors of the unknown or measured states of a flight to its normal equations.
@@ -154,39 +135,40 @@ pub(crate) fn add_state_priors(
     local: &DVector<f64>,
     block: &mut NormalBlock,
 ) {
-    let tangent = observations.manifold.tangent(local.as_slice());
-    let count = block.count;
-    for prior in &observations.state_priors {
-        let index = prior.state.index();
-        add_prior(
-            block,
-            &tangent,
-            index,
-            local[index] - prior.mean,
-            prior.sigma,
-        );
-    }
-    block.count = count;
+    add_all(
+        observations,
+        local,
+        block,
+        observations.state_priors.iter().copied(),
+    );
 }
 
-/// Adds the prior of one state, `difference` away from its mean. `tangent` are the entries of the manifold's tangent.
-fn add_prior(
+/// Adds priors, which do not count as residuals.
+fn add_all(
+    observations: &Observations,
+    local: &DVector<f64>,
     block: &mut NormalBlock,
-    tangent: &[(usize, usize, f64)],
-    state: usize,
-    difference: f64,
-    sigma: f64,
+    priors: impl Iterator<Item = StatePrior>,
 ) {
-    let mut by_local = DVector::zeros(block.local.nrows());
-    let own = tangent.iter().filter(|(of, ..)| *of == state);
-    for &(_, direction, value) in own.clone() {
-        // Without derivatives, the block has no local parameters.
-        if let Some(by_local) = by_local.get_mut(direction) {
-            *by_local = value / sigma;
+    let tangent = observations.manifold.tangent(local.as_slice());
+    let none = DVector::zeros(block.global.nrows());
+    let count = block.count;
+    for StatePrior {
+        state, mean, sigma, ..
+    } in priors
+    {
+        let state = state.index();
+        let mut by_local = DVector::zeros(block.local.nrows());
+        let own = tangent.iter().filter(|(of, ..)| *of == state);
+        for &(_, direction, value) in own.clone() {
+            // Without derivatives, the block has no local parameters.
+            if let Some(by_local) = by_local.get_mut(direction) {
+                *by_local = value / sigma;
+            }
+        }
+        if own.clone().any(|(.., value)| *value != 0.0) {
+            block.add((local[state] - mean) / sigma, &by_local, &none);
         }
     }
-    if own.clone().any(|(.., value)| *value != 0.0) {
-        let none = DVector::zeros(block.global.nrows());
-        block.add(difference / sigma, &by_local, &none);
-    }
+    block.count = count;
 }

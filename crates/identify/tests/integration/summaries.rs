@@ -7,7 +7,7 @@ use dataset::synthesize::{Plan, flights};
 use dataset::{Dataset, Flight, KnownValue, Role, from_texts};
 use flight::release::{Vocabulary, read};
 use identify::{
-    Fit, FitOptions, FitProblem, FlightId, LocalId, PointResidual, each_residual, fit, resolve,
+    Fit, FitOptions, FitProblem, FlightAt, FlightId, LocalId, PointResidual, fit, resolve,
 };
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
@@ -304,30 +304,21 @@ fn worst_derivative(model: &str, dataset: &Dataset) -> f64 {
     let found = fit(&model, dataset, &options).expect("a fit");
     let problem: &FitProblem = found.problem();
     let (observations, local) = found.flight(FlightId::new(0)).expect("the first flight");
-    let globals: Vec<_> = problem.globals.iter().map(|global| global.param).collect();
     assert_eq!(resolved.model.states.len(), local.len());
     let at = |global: &nalgebra::DVector<f64>, local: &nalgebra::DVector<f64>| {
-        let bound = problem.body.bind(observations.parameters(problem, global));
-        let (mut motion, mut points) = (bound.rhs(), Vec::new());
+        let mut points = Vec::new();
         let mut keep = |point: PointResidual<'_>| {
             points.push((point.residual[0], point.rows[0].clone()));
         };
-        let unknowns = (global, local);
-        each_residual(
-            problem,
-            observations,
-            unknowns,
-            &mut motion,
-            &globals,
-            &mut keep,
-        )
-        .expect("flown");
+        FlightAt::new(problem, observations, (global, local))
+            .each_residual(&problem.global_parameters(), &mut keep)
+            .expect("flown");
         points
     };
     let (global, dimension) = (found.global(), observations.manifold.dimension());
     let exact = at(global, local);
     let mut worst: f64 = 0.0;
-    for column in 0..dimension + globals.len() {
+    for column in 0..dimension + global.len() {
         let moved = |sign: f64| {
             let (mut there, mut step) = (global.clone(), nalgebra::DVector::zeros(dimension));
             let h = match column.checked_sub(dimension) {
