@@ -62,6 +62,30 @@ pub struct Channel {
 }
 
 impl Channel {
+    /// A channel whose noise is not known, in the first noise group.
+    pub(crate) fn new(
+        name: &str,
+        kind: ChannelKind,
+        components: usize,
+        unit: &'static str,
+    ) -> Self {
+        Self {
+            name: name.to_owned(),
+            kind,
+            position: [0.0; 3],
+            components,
+            group: 0,
+            sigma: None,
+            scale: 1.0,
+            unit,
+            to_si: 1.0,
+            is_exact: false,
+            assumed: None,
+            rounding: [0.0; 3],
+            repeats: false,
+        }
+    }
+
     pub(crate) fn is_marker(&self) -> bool {
         matches!(self.kind, ChannelKind::Marker(_))
     }
@@ -92,19 +116,9 @@ pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
     let markers = dataset.markers.iter().enumerate();
     let mut channels: Vec<Channel> = markers
         .map(|(index, marker)| Channel {
-            name: marker.name.clone(),
-            kind: ChannelKind::Marker(index),
             position: marker.position,
-            components: 3,
-            group: 0,
             sigma: dataset.sigma,
-            scale: 1.0,
-            unit: "m",
-            to_si: 1.0,
-            is_exact: false,
-            assumed: None,
-            rounding: [0.0; 3],
-            repeats: false,
+            ..Channel::new(&marker.name, ChannelKind::Marker(index), 3, "m")
         })
         .collect();
     let mut instruments: Vec<Instrument> = Vec::new();
@@ -116,19 +130,11 @@ pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
         };
         let mut add = |kind, components, sigma, unit| {
             channels.push(Channel {
-                name: sensor.name.clone(),
-                kind,
                 position: sensor.position,
-                components,
                 group,
                 sigma,
-                scale: 1.0,
-                unit,
                 to_si,
-                is_exact: false,
-                assumed: None,
-                rounding: [0.0; 3],
-                repeats: false,
+                ..Channel::new(&sensor.name, kind, components, unit)
             });
             group += 1;
         };

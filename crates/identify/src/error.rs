@@ -401,28 +401,10 @@ impl DataFault {
     }
 }
 
-impl FaultKind {
-    /// Name of the kind of mistake in reports, such as `labels_exchanged`.
-    #[doc(hidden)]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::LabelsExchanged => "labels_exchanged",
-            Self::Mirrored => "mirrored",
-            Self::Units => "units",
-            Self::Axes => "axes",
-            Self::TimeUnit => "time_unit",
-            Self::NotFreeFlight => "not_free_flight",
-            Self::Frozen => "frozen",
-            Self::AttitudeConvention => "attitude_convention",
-            Self::SensorUnit => "sensor_unit",
-            Self::Other => "other",
-        }
-    }
-}
-
 impl fmt::Display for FaultKind {
+    /// The name in reports, such as `labels_exchanged`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        self.serialize(f)
     }
 }
 

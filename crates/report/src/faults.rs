@@ -27,7 +27,7 @@ pub(crate) fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> 
 pub(crate) fn data_faults(faults: &[DataFault]) -> Table {
     Table::of(faults.iter().take(MAX_ROWS))
         .file("flight", |fault| &fault.file)
-        .plain("fault", |fault| fault.fault.name().replace('_', " "))
+        .plain("fault", |fault| fault.fault.to_string().replace('_', " "))
         .text("found", |fault| &fault.detail)
         .text("correction", |fault| &fault.correction)
         .table()

@@ -344,7 +344,7 @@ mod tests {
         effects.sort_unstable();
         let pair = model.fit_hypothesis(&effects, &analysis.base, &search.noise);
         let terms = StepwiseModel::select(model, search, &analysis.before, None);
-        let mut terms = terms.unwrap().unwrap();
+        let mut terms = terms.unwrap();
         terms.keep_first(2);
         analysis.search.accepted = Vec::from_iter(pair);
         analysis.stepwise = Some(terms);
@@ -411,7 +411,7 @@ mod tests {
         let weakest = model.fit_hypothesis(&[weakest], &analysis.base, &search.noise);
         if with_terms {
             let terms = StepwiseModel::select(model, search, &analysis.before, None);
-            analysis.stepwise = terms.unwrap();
+            analysis.stepwise = terms;
         }
         analysis.search.accepted = Vec::from_iter(weakest);
         analysis.search.at_base.thresholds.detect = detect;

@@ -42,9 +42,7 @@ fn explanation(extension: &ExtendedModel, fit: &Fit, chi2_decrease: f64) -> Expl
     Explanation {
         effects: extension_effects(extension, fit),
         chi2_decrease,
-        explained_fraction: 0.0,
-        remaining_rms_m: 0.0,
-        strongest_remaining: None,
+        ..Explanation::default()
     }
 }
 
@@ -69,8 +67,7 @@ fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<ExplanationE
             site: effect.site.clone(),
             variables: effect.variables.clone(),
             estimates: estimates.collect(),
-            score_chi2: 0.0,
-            negligible: false,
+            ..ExplanationEffect::default()
         }
     });
     effects.collect()

@@ -1,9 +1,12 @@
 //! Sentences of a diagnosis, which report, page and terminal share.
 
+use std::fmt;
+
 use identify::numbers::{
     Digits, displayed, percent, probability, quantity, significant, stated, unit,
 };
 use identify::wording::{count, names, sentence};
+use serde::Serialize;
 
 use super::types::{
     Consensus, Estimate, Explanation, ExplanationEffect, LoadChannel, Report, Verdict,
@@ -58,17 +61,10 @@ impl Report {
     }
 }
 
-impl Verdict {
-    /// Name of the verdict, as in `report.json`.
-    #[doc(hidden)]
-    pub fn name(self) -> &'static str {
-        match self {
-            Verdict::Adequate => "adequate",
-            Verdict::Identified => "identified",
-            Verdict::Ambiguous => "ambiguous",
-            Verdict::Unattributed => "unattributed",
-            Verdict::Negligible => "negligible",
-        }
+impl fmt::Display for Verdict {
+    /// The name, as in `report.json`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
     }
 }
 

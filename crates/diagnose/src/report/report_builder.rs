@@ -48,19 +48,12 @@ pub(crate) fn build_report(
             .iter()
             .map(|e| display_name(&e.name))
             .collect(),
-        reliable: true,
-        cautions: Vec::new(),
         verdict: verdict(is_error || !is_noise, &explanations),
-        summary: String::new(),
         explanations,
         noise: noise((before, residuals), model, search),
-        predictive_gain: None,
         coefficients: coefficients(before, None),
         not_identifiable,
         minimum_detectable_effects,
-        proposed_throw: None,
-        extended_model: None,
-        seconds: BTreeMap::new(),
         tests: candidate_tests(model, search),
         threshold: Threshold {
             alpha: context.options.alpha_detect,
@@ -70,14 +63,10 @@ pub(crate) fn build_report(
         score_correlations: score_correlations(model, search),
         data_faults: before.report.data_faults.clone(),
         flights: before.report.flights.iter().map(flight_before).collect(),
-        curves: Vec::new(),
-        unattributed: None,
-        consensus: None,
         lack_of_fit: residuals.cloned(),
-        verified: None,
         converged: true,
         complete: true,
-        notes: Vec::new(),
+        ..Report::default()
     };
     note_convergence(&mut report, before, "the model");
     report
@@ -282,12 +271,11 @@ fn explanation(
     Explanation {
         effects,
         chi2_decrease: (search.at_base.squares - hypothesis.squares).max(0.0),
-        explained_fraction: 0.0,
-        remaining_rms_m: 0.0,
         strongest_remaining: remaining.map(|(id, ln_p_value)| RemainingEffect {
             name: model.candidate(id).name.clone(),
             p_value: ln_p_value.exp(),
         }),
+        ..Explanation::default()
     }
 }
 

@@ -212,7 +212,10 @@ impl Report {
     /// Withdraws the verdict: the lack of fit is not attributed, for the reason that the description states.
     fn withdraw(&mut self, description: String) {
         self.verdict = Verdict::Unattributed;
-        self.unattributed = Some(Unattributed::described(description));
+        self.unattributed = Some(Unattributed {
+            description,
+            ..Unattributed::default()
+        });
     }
 
     /// Assesses whether the diagnosis is reliable. Large residuals of the model under test do not count: their cause is

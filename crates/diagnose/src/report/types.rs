@@ -15,7 +15,7 @@ use crate::validation::PredictiveGain;
 use identify::LackOfFit;
 
 /// Contents of the file `report.json` of a diagnosis, schema `hyzer.diagnosis/2`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// Identifier of the schema: `hyzer.diagnosis/2`.
     pub schema: String,
@@ -87,10 +87,11 @@ impl Report {
 }
 
 /// Outcome of a diagnosis: whether the model has an error, and whether the missing effects are identified.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// No error of the model is detected: no candidate effect is significant, and the residuals are noise.
+    #[default]
     Adequate,
     /// Exactly one explanation is accepted, and its effects are not negligible.
     Identified,
@@ -103,7 +104,7 @@ pub enum Verdict {
 }
 
 /// One explanation of the misfit: a single effect that the model lacks, or several such effects together.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Explanation {
     /// The effects that the model lacks according to this explanation.
     pub effects: Vec<ExplanationEffect>,
@@ -127,7 +128,7 @@ pub struct RemainingEffect {
 }
 
 /// One effect of those that together explain the misfit, with the estimates of its coefficients.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ExplanationEffect {
     /// Display name, with hyphens, of the candidate effect or of the effect created from library terms.
     pub name: String,
@@ -197,7 +198,7 @@ pub struct CandidateTest {
 }
 
 /// Significance threshold of the score tests, corrected for multiple testing.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Threshold {
     /// Familywise probability of a false alarm: that any candidate effect is significant although the model is correct.
     pub alpha: f64,
@@ -233,7 +234,7 @@ pub struct FlightGain {
 }
 
 /// Lack of fit that no candidate explains, with loads and library terms that would reduce it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
     /// Sentences that state in which load channels the lack of fit lies.
     pub description: String,
@@ -241,17 +242,6 @@ pub struct Unattributed {
     pub channels: Vec<LoadChannel>,
     /// Tested library terms (products of variables added to one load), most significant first.
     pub terms: Vec<StepwiseTerm>,
-}
-
-impl Unattributed {
-    /// A lack of fit with this description, without estimated loads and terms.
-    pub(crate) fn described(description: String) -> Unattributed {
-        Unattributed {
-            description,
-            channels: Vec::new(),
-            terms: Vec::new(),
-        }
-    }
 }
 
 /// Agreement of the flights on explanations that leave misfit, or without discordant flights.

@@ -187,7 +187,7 @@ mod tests {
         let again = search.judge_with_less_noise(model, base, Some(&own));
         assert!(again.unwrap() && search.accepted.is_empty());
         assert!(slow_level(&search.noise) <= slow_level(&own));
-        search.add_effect(model).unwrap();
+        search.add_effect(model);
         assert!(search.accepted.iter().any(|found| found.effects == right));
     }
 

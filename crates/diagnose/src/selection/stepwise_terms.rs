@@ -386,7 +386,7 @@ mod tests {
         let search = Search::new(&mut fixture.model, &fixture.iterate, weights).unwrap();
         let selection = |is_adequate: bool, squares: f64| {
             let start = StepwiseModel::start(&fixture.model, &search, None);
-            start.unwrap().map(|start| StepwiseModel {
+            start.map(|start| StepwiseModel {
                 is_adequate,
                 squares,
                 ..start

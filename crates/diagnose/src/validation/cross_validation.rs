@@ -253,12 +253,12 @@ mod tests {
         let fits = [&base, &true_model].map(|model| fit(model, &dataset, &options).unwrap());
         let models = [(&base, &fits[0]), (&true_model, &fits[1])];
         let gain = cross_validate(models, &dataset, &options, ApplyTo::AllFlights, 0.0015);
-        let gain = gain.unwrap().unwrap();
+        let gain = gain.unwrap();
         assert!(!gain.held_out_by_dataset && gain.flights == 10);
         assert!(gain.rms_after_m < gain.rms_before_m, "{gain:?}");
         let one = mystery(1);
         let none = cross_validate(models, &one, &options, ApplyTo::AllFlights, 0.0015);
-        assert_eq!(none.unwrap(), None);
+        assert_eq!(none, None);
     }
 
     #[test]

@@ -91,7 +91,12 @@ struct FittedFlight {
 /// # Errors
 /// The errors of [`fit`](fn@crate::fit).
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
-    fit_after(model, dataset, options, None)
+    let task = Task {
+        model,
+        dataset,
+        options,
+    };
+    fit_after(task, None)
 }
 
 /// Fits a model from the estimates of an earlier fit of the same dataset; parameters of other names start at the
@@ -106,22 +111,31 @@ pub fn refit(
     options: &FitOptions<'_>,
     earlier: &Fit,
 ) -> Result<Fit, FitError> {
-    fit_after(model, dataset, options, Some(earlier))
+    let task = Task {
+        model,
+        dataset,
+        options,
+    };
+    fit_after(task, Some(earlier))
 }
 
-fn fit_after(
-    model: &Model,
-    dataset: &Dataset,
-    options: &FitOptions<'_>,
-    earlier: Option<&Fit>,
-) -> Result<Fit, FitError> {
+/// A model that is to be fitted to a dataset, with options.
+#[derive(Clone, Copy)]
+struct Task<'a> {
+    model: &'a Model,
+    dataset: &'a Dataset,
+    options: &'a FitOptions<'a>,
+}
+
+fn fit_after(task: Task<'_>, earlier: Option<&Fit>) -> Result<Fit, FitError> {
+    let options = task.options;
     options.validate()?;
     parallel::within(options.threads(), || {
-        let found = fit_within(model, dataset, options, earlier);
+        let found = task.fit(earlier);
         options.check_cancelled()?;
-        let mut faults = trial::other_unit(model, dataset, options, &found);
+        let mut faults = task.other_unit(&found);
         if faults.is_empty() {
-            faults = trial::frames_of_poses(model, dataset, options, &found);
+            faults = task.frames_of_poses(&found);
         }
         options.check_cancelled()?;
         if !faults.is_empty() {
@@ -130,7 +144,7 @@ fn fit_after(
         let mut fit = found?;
         // The fits of a diagnosis, whose faults are known, hold what its first fit held.
         if options.known_faults.is_none() && !options.fixed.is_empty() {
-            let conflicts = trial::conflicts(model, dataset, options, &fit);
+            let conflicts = task.conflicts(&fit);
             options.check_cancelled()?;
             fit.report.contradicted.extend(conflicts);
             fit.report.assess();
@@ -139,91 +153,94 @@ fn fit_after(
     })
 }
 
-fn fit_within(
-    model: &Model,
-    dataset: &Dataset,
-    options: &FitOptions<'_>,
-    earlier: Option<&Fit>,
-) -> Result<Fit, FitError> {
-    let clock = Instant::now();
-    let mut problem = FitProblem::new(model, dataset, options)?;
-    let mut fitted = flights_of(dataset, Role::Fit);
-    if fitted.is_empty() {
-        return Err(FitError::NothingToFit);
-    }
-    let mut held_out = flights_of(dataset, Role::HeldOut);
-    let (mut data_faults, contacts) = match options.known_faults {
-        Some(known) => (known.to_vec(), Vec::new()),
-        None => screening::screen(&problem, dataset, options.threads()),
-    };
-    if vertical::is_in(model) {
-        data_faults.retain(|fault| fault.fault != FaultKind::Axes);
-    }
-    trial::remove_refuted(model, dataset, options, &mut data_faults);
-    if data_faults.is_empty() {
-        data_faults = trial::mirrored(model, dataset, &problem, options);
-    }
-    options.check_cancelled()?;
-    let faulty = screening::excluded(dataset, &data_faults, options);
-    let is_faulty = |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);
-    fitted.retain(|flight| !is_faulty(flight));
-    held_out.retain(|flight| !is_faulty(flight));
-    if fitted.is_empty() {
-        return Err(FitError::FaultyData(data_faults));
-    }
-    problem.tolerance = whitened_tolerance(model, fitted.len());
-    // Times that seem to have another unit may be the effect of loads that the model contains.
-    let (doubtful, faulty): (Vec<_>, Vec<_>) = faulty.into_iter().partition(|excluded| {
-        single_flights::may_come_back(excluded)
-            && dataset.flights[excluded.flight.index()].role == Role::Fit
-    });
-    let mut screened = Screened {
-        dataset,
-        earlier,
-        data_faults,
-        contacts,
-        held_out,
-        faulty,
-        clock,
-    };
-    if let Some(earlier) = earlier {
-        problem.take_scales(&earlier.problem);
-        if let Some((mut state, cache)) =
-            residual_cache::continued(&problem, dataset, &fitted, earlier, options)
-        {
-            state.excluded.extend(doubtful);
-            let positions = earlier.report.position_noise();
-            let floors = (earlier.noise_floor, positions.and_then(|noise| noise.floor));
-            let reweighted = reweighting::reweight(&mut state, cache, None)?;
-            return screened.finish(state, reweighted, floors, clock.elapsed().as_secs_f64());
+impl Task<'_> {
+    fn fit(self, earlier: Option<&Fit>) -> Result<Fit, FitError> {
+        let Task {
+            model,
+            dataset,
+            options,
+        } = self;
+        let clock = Instant::now();
+        let mut problem = FitProblem::new(model, dataset, options)?;
+        let mut fitted = flights_of(dataset, Role::Fit);
+        if fitted.is_empty() {
+            return Err(FitError::NothingToFit);
         }
-    }
-    let summaries = Summaries::take(&problem, dataset, &mut fitted);
-    let contacts = &mut screened.contacts;
-    let observed = initial_guess::observe(&problem, dataset, &fitted, contacts, options);
-    let flights = (dataset, &fitted[..]);
-    let observed =
-        predicted_changes::without_predicted(&problem, flights, contacts, observed, options);
-    initial_guess::set_noise(&mut problem, &observed, summaries.observations());
-    let noise_floor = observed.noise_floor;
-    let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
-    let (mut state, (mut cache, mut predicted_reduction)) = match fitted.is_empty() {
-        true => (
-            State::new(&problem, options, problem.model_values(), 1.0),
-            (ResidualCache::default(), None),
-        ),
-        false => {
-            let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
-            from_guesses(dataset, guesses, doubtful)?
+        let mut held_out = flights_of(dataset, Role::HeldOut);
+        let (mut data_faults, contacts) = match options.known_faults {
+            Some(known) => (known.to_vec(), Vec::new()),
+            None => screening::screen(&problem, dataset, options.threads()),
+        };
+        if vertical::is_in(model) {
+            data_faults.retain(|fault| fault.fault != FaultKind::Axes);
         }
-    };
-    let started = clock.elapsed().as_secs_f64();
-    if !summaries.is_empty() {
-        (cache, predicted_reduction) = (summaries.join(&mut state)?, None);
+        self.remove_refuted(&mut data_faults);
+        if data_faults.is_empty() {
+            data_faults = self.mirrored(&problem);
+        }
+        options.check_cancelled()?;
+        let faulty = screening::excluded(dataset, &data_faults, options);
+        let is_faulty =
+            |flight: &FlightId| faulty.iter().any(|excluded| excluded.flight == *flight);
+        fitted.retain(|flight| !is_faulty(flight));
+        held_out.retain(|flight| !is_faulty(flight));
+        if fitted.is_empty() {
+            return Err(FitError::FaultyData(data_faults));
+        }
+        problem.tolerance = whitened_tolerance(model, fitted.len());
+        // Times that seem to have another unit may be the effect of loads that the model contains.
+        let (doubtful, faulty): (Vec<_>, Vec<_>) = faulty.into_iter().partition(|excluded| {
+            single_flights::may_come_back(excluded)
+                && dataset.flights[excluded.flight.index()].role == Role::Fit
+        });
+        let mut screened = Screened {
+            dataset,
+            earlier,
+            data_faults,
+            contacts,
+            held_out,
+            faulty,
+            clock,
+        };
+        if let Some(earlier) = earlier {
+            problem.take_scales(&earlier.problem);
+            if let Some((mut state, cache)) =
+                residual_cache::continued(&problem, dataset, &fitted, earlier, options)
+            {
+                state.excluded.extend(doubtful);
+                let positions = earlier.report.position_noise();
+                let floors = (earlier.noise_floor, positions.and_then(|noise| noise.floor));
+                let reweighted = reweighting::reweight(&mut state, cache, None)?;
+                return screened.finish(state, reweighted, floors, clock.elapsed().as_secs_f64());
+            }
+        }
+        let summaries = Summaries::take(&problem, dataset, &mut fitted);
+        let contacts = &mut screened.contacts;
+        let observed = initial_guess::observe(&problem, dataset, &fitted, contacts, options);
+        let flights = (dataset, &fitted[..]);
+        let observed =
+            predicted_changes::without_predicted(&problem, flights, contacts, observed, options);
+        initial_guess::set_noise(&mut problem, &observed, summaries.observations());
+        let noise_floor = observed.noise_floor;
+        let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
+        let (mut state, (mut cache, mut predicted_reduction)) = match fitted.is_empty() {
+            true => (
+                State::new(&problem, options, problem.model_values(), 1.0),
+                (ResidualCache::default(), None),
+            ),
+            false => {
+                let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
+                from_guesses(dataset, guesses, doubtful)?
+            }
+        };
+        let started = clock.elapsed().as_secs_f64();
+        if !summaries.is_empty() {
+            (cache, predicted_reduction) = (summaries.join(&mut state)?, None);
+        }
+        let reweighted = reweighting::reweight(&mut state, cache, predicted_reduction)?;
+        let reweighted = ends::leave_out_ends(&mut state, reweighted)?;
+        screened.finish(state, reweighted, (noise_floor, floor_m), started)
     }
-    let reweighted = reweighting::reweight(&mut state, cache, predicted_reduction)?;
-    let reweighted = ends::leave_out_ends(&mut state, reweighted)?;
-    screened.finish(state, reweighted, (noise_floor, floor_m), started)
 }
 
 /// Dataset whose recordings were screened for mistakes, with the faults found and the flights concerned.
@@ -374,14 +391,9 @@ fn left_out(flight: &Flight, reason: &FlightError) -> FlightResult {
         file: flight.file.clone(),
         role: flight.role,
         samples: flight.times.len(),
-        residual_rms: BTreeMap::new(),
-        outliers: 0,
-        initial: BTreeMap::new(),
-        cut: None,
         notes: vec![format!("left out: {reason}")],
-        is_summary: false,
-        seen: Vec::new(),
         outcome: FlightOutcome::Excluded { reason },
+        ..FlightReport::default()
     };
     (report, None)
 }

@@ -81,27 +81,17 @@ pub fn reports(
     let report = FitReport {
         schema: "hyzer.fit/2".into(),
         model: problem.model.name.clone(),
-        dataset: String::new(),
         effects: effects.map(|effect| effect.name.clone()).collect(),
-        reliable: true,
-        cautions: Vec::new(),
         residual_rms: square_sums(problem, &channels).rms(),
         noise: noise_by_kind(state, &fitted.noise, &sensors),
         coefficients: coefficients(problem, fitted, &covariance),
         correlations: correlations(problem, &covariance),
-        flights: Vec::new(),
-        data_faults: Vec::new(),
-        marker_distances: Vec::new(),
         sensors,
-        notes: Vec::new(),
-        lack_of_fit: None,
         doubts,
-        far_constants: Vec::new(),
         doubt_of_summaries,
         open_side: open_side(state.problem, &state.flights),
         excess: marker_distances::excess(state, &fitted.cache),
         contradicted: filtered::filtered(state).into_iter().collect(),
-        misread: Vec::new(),
         not_identifiable,
         profiles,
         residuals: pool.axes(),
@@ -111,7 +101,7 @@ pub fn reports(
             converged: fitted.status.converged(),
             status: fitted.status,
         },
-        seconds: BTreeMap::new(),
+        ..FitReport::default()
     };
     Ok((report, flights))
 }
@@ -271,14 +261,11 @@ fn coefficients(
         let of_model = all.find(|coefficient| coefficient.name == *name);
         let coefficient = Coefficient {
             value: *value,
-            std_error: 0.0,
-            std_error_cluster_robust: None,
             interval: [*value; 2],
             unit: of_model.map(|c| c.unit_text.clone()).unwrap_or_default(),
-            at_bound: false,
             fixed: true,
             model_value: of_model.map_or(*value, |c| c.value),
-            prior: None,
+            ..Coefficient::default()
         };
         (name.clone(), coefficient)
     });

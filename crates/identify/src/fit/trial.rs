@@ -2,9 +2,8 @@
 //! holds.
 
 use model_spec::compose::ModelTree;
-use model_spec::model::Model;
 
-use super::{Fit, FitError, fit_within};
+use super::{Fit, FitError, Task};
 use crate::error::{DataFault, FaultKind};
 use crate::levels::SIGNIFICANT;
 use crate::numbers::Digits;
@@ -34,170 +33,187 @@ const MAX_ACCELERATION: f64 = 2.0;
 /// Root mean square of a parabola a·t²/2 about its best straight line over a time T, in units of a·T²: 1/√720.
 const BENDING: f64 = 0.0373;
 
-/// Removes faults that all flights have in common if they rest on accelerations, which screening compares with usual
-/// loads, and the model describes the data as they are.
-pub fn remove_refuted(
-    model: &Model,
-    dataset: &Dataset,
-    options: &FitOptions<'_>,
-    faults: &mut Vec<DataFault>,
-) {
-    let is_common = |flight: &Flight| {
-        let mut own = faults.iter().filter(|fault| fault.file == flight.file);
-        own.clone().next().is_some() && own.all(|fault| rests_on_loads(fault.fault))
-    };
-    let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
-    let to_fit = to_fit.filter(|flight| !dataset.is_summary(flight));
-    if options.trust_data || !to_fit.clone().all(is_common) {
-        return;
-    }
-    if let Some(fit) = tried(model, dataset, to_fit.cloned(), options) {
-        let is_noise = lacks_fit(&fit, options).is_some_and(|(fails, _)| !fails);
-        faults.retain(|fault| match fault.fault {
-            // A hand pushes about as hard as the model may.
-            FaultKind::NotFreeFlight => !is_noise,
-            kind => !(rests_on_loads(kind) && flies_as_recorded(&fit)),
-        });
-    }
-}
-
-/// Fit of a few of `flights`, which take the place of those of the dataset, as they are; `None` if it has no result.
-fn tried(
-    model: &Model,
-    dataset: &Dataset,
-    flights: impl Iterator<Item = Flight>,
-    options: &FitOptions<'_>,
-) -> Option<Fit> {
-    let few = Dataset {
-        flights: flights.take(FLIGHTS).collect(),
-        ..dataset.clone()
-    };
-    let as_they_are = FitOptions {
-        known_faults: Some(&[]),
-        profiles: &[],
-        ..*options
-    };
-    fit_within(model, &few, &as_they_are, None).ok()
-}
-
-/// [`tried`], if the fit is reliable, also by the tests of its residuals.
-fn tried_reliably(
-    model: &Model,
-    dataset: &Dataset,
-    flights: impl Iterator<Item = Flight>,
-    options: &FitOptions<'_>,
-) -> Option<Fit> {
-    let fit = tried(model, dataset, flights, options)?;
-    let tested = fit.with_lack_of_fit(options.threads()).ok();
-    tested.filter(|fit| fit.report.reliable)
-}
-
-/// Reliable fit of a few flights with readings of another meaning.
-fn tried_with(
-    other: &OtherMeaning,
-    model: &Model,
-    dataset: &Dataset,
-    options: &FitOptions<'_>,
-) -> Option<Fit> {
-    let to_fit = dataset.flights.iter().filter(|f| f.role == Role::Fit);
-    let converted = to_fit.map(|flight| other.converted(flight.clone()));
-    tried_reliably(model, dataset, converted, options)
-}
-
-/// Faults of a gyroscope whose axes are those of a mirror image, if it may be so and the flights then fit in every respect.
-pub fn mirrored(
-    model: &Model,
-    dataset: &Dataset,
-    problem: &FitProblem,
-    options: &FitOptions<'_>,
-) -> Vec<DataFault> {
-    if options.trust_data || options.known_faults.is_some() {
-        return Vec::new();
-    }
-    let mut others = screening::mirrored(problem, dataset).into_iter();
-    let found = others.find(|other| tried_with(other, model, dataset, options).is_some());
-    let why = "only so does the angular momentum turn slowly, and the flights fit";
-    found.map_or_else(Vec::new, |other| other.faults(dataset, why, false))
-}
-
-/// Faults of readings whose unit they do not tell by themselves: as they are, the flights have no fit or one that is not
-/// to the noise, and in the other unit they fit in every respect.
-pub fn other_unit(
-    model: &Model,
-    dataset: &Dataset,
-    options: &FitOptions<'_>,
-    as_they_are: &Result<Fit, FitError>,
-) -> Vec<DataFault> {
-    if options.trust_data || options.known_faults.is_some() {
-        return Vec::new();
-    }
-    let units = screening::undetermined(dataset);
-    let fails = |fit: &Fit| lacks_fit(fit, options);
-    let may_be_wrong = match as_they_are {
-        Err(FitError::FaultyData(_)) => false,
-        Err(_) => true,
-        // Another unit leaves more than a little.
-        Ok(fit) => !units.is_empty() && fails(fit).is_some_and(|(_, is_far)| is_far),
-    };
-    for unit in units.into_iter().filter(|_| may_be_wrong) {
-        let found = tried_with(&unit, model, dataset, options);
-        if found.is_some_and(|fit| unit.is_followed(dataset, &fit.report.sensors)) {
-            let why = "the flights fit to the noise in this unit, and not as they are";
-            return unit.faults(dataset, why, true);
-        }
-    }
-    Vec::new()
-}
-
-/// Faults of poses whose positions and attitudes are in different frames: as they are, the fit is far from the noise, and
-/// with attitudes turned far about the third axis, or with one coordinate negated, the flights fit in every respect, which of
-/// several is the most usual. Smaller turns are those of an effect.
-pub fn frames_of_poses(
-    model: &Model,
-    dataset: &Dataset,
-    options: &FitOptions<'_>,
-    as_they_are: &Result<Fit, FitError>,
-) -> Vec<DataFault> {
-    let is_far = |fit: &&Fit| lacks_fit(fit, options).is_some_and(|(_, is_far)| is_far);
-    let may_be_wrong = options.known_faults.is_none() && !options.trust_data;
-    let found = as_they_are.as_ref().ok().filter(|_| may_be_wrong);
-    let found = Poses::of(dataset).zip(found);
-    let Some((pose, stated)) = found.filter(|(_, fit)| is_far(fit)) else {
-        return Vec::new();
-    };
-    let problem = &stated.problem;
-    let to_fit = || dataset.flights.iter().filter(|f| f.role == Role::Fit);
-    let own = ModelTree::of(model);
-    let turned = own.find_effect(ATTITUDE_TURNED);
-    let Ok(turned) = turned.and_then(|effect| own.with(&effect)?.check()) else {
-        return Vec::new();
-    };
-    let mut other = None;
-    for degrees in [90.0, -90.0, 180.0] {
-        if !pose.are_better(problem, |flight| pose.turned(flight, degrees)) {
-            continue;
-        }
-        let to_fit = to_fit().map(|flight| pose.turned(flight, degrees));
-        let found = tried_reliably(&turned, dataset, to_fit, options);
-        let Some(left) = found.as_ref().and_then(turn_about_third) else {
-            continue;
+impl Task<'_> {
+    /// Removes faults that all flights have in common if they rest on accelerations, which screening compares with usual
+    /// loads, and the model describes the data as they are.
+    pub fn remove_refuted(self, faults: &mut Vec<DataFault>) {
+        let is_common = |flight: &&Flight| {
+            let mut own = faults.iter().filter(|fault| fault.file == flight.file);
+            own.clone().next().is_some() && own.all(|fault| rests_on_loads(fault.fault))
         };
-        if left.abs() < NEARLY {
-            return pose.faults_of_turn(left - degrees);
+        let tracks = self.to_fit();
+        let tracks = tracks.filter(|flight| !self.dataset.is_summary(flight));
+        if self.options.trust_data || !tracks.clone().all(|flight| is_common(&flight)) {
+            return;
         }
-        other = Some(left - degrees).filter(|by| by.abs() > FAR_TURN);
-        break;
+        if let Some(fit) = self.tried(tracks.cloned()) {
+            let is_noise = lacks_fit(&fit, self.options).is_some_and(|(fails, _)| !fails);
+            faults.retain(|fault| match fault.fault {
+                // A hand pushes about as hard as the model may.
+                FaultKind::NotFreeFlight => !is_noise,
+                kind => !(rests_on_loads(kind) && flies_as_recorded(&fit)),
+            });
+        }
     }
-    for axis in [1, 2, 0] {
-        if !pose.are_better(problem, |flight| pose.negated(flight, axis)) {
-            continue;
-        }
-        let negated = to_fit().map(|flight| pose.negated(flight, axis));
-        if tried_reliably(model, dataset, negated, options).is_some() {
-            return pose.faults_of_sign(axis);
-        }
+
+    /// The flights with the role `fit`.
+    fn to_fit(&self) -> impl Iterator<Item = &Flight> + Clone {
+        let flights = self.dataset.flights.iter();
+        flights.filter(|flight| flight.role == Role::Fit)
     }
-    other.map_or_else(Vec::new, |by| pose.faults_of_turn(by))
+
+    /// Fit of a few of `flights`, which take the place of those of the dataset, as they are; `None` if it has no result.
+    fn tried(self, flights: impl Iterator<Item = Flight>) -> Option<Fit> {
+        let few = Dataset {
+            flights: flights.take(FLIGHTS).collect(),
+            ..self.dataset.clone()
+        };
+        let as_they_are = FitOptions {
+            known_faults: Some(&[]),
+            profiles: &[],
+            ..*self.options
+        };
+        let task = Task {
+            dataset: &few,
+            options: &as_they_are,
+            ..self
+        };
+        task.fit(None).ok()
+    }
+
+    /// [`tried`](Self::tried), if the fit is reliable, also by the tests of its residuals.
+    fn tried_reliably(self, flights: impl Iterator<Item = Flight>) -> Option<Fit> {
+        let fit = self.tried(flights)?;
+        let tested = fit.with_lack_of_fit(self.options.threads()).ok();
+        tested.filter(|fit| fit.report.reliable)
+    }
+
+    /// Reliable fit of a few flights with readings of another meaning.
+    fn tried_with(self, other: &OtherMeaning) -> Option<Fit> {
+        self.tried_reliably(self.to_fit().map(|flight| other.converted(flight.clone())))
+    }
+
+    /// Whether the readings may be meant otherwise than stated: the user does not trust them, and they were not judged before.
+    fn is_open(self) -> bool {
+        !self.options.trust_data && self.options.known_faults.is_none()
+    }
+
+    /// Faults of a gyroscope whose axes are those of a mirror image, if it may be so and the flights then fit in every
+    /// respect.
+    pub fn mirrored(self, problem: &FitProblem) -> Vec<DataFault> {
+        if !self.is_open() {
+            return Vec::new();
+        }
+        let mut others = screening::mirrored(problem, self.dataset).into_iter();
+        let found = others.find(|other| self.tried_with(other).is_some());
+        let why = "only so does the angular momentum turn slowly, and the flights fit";
+        found.map_or_else(Vec::new, |other| other.faults(self.dataset, why, false))
+    }
+
+    /// Faults of readings whose unit they do not tell by themselves: as they are, the flights have no fit or one that is not
+    /// to the noise, and in the other unit they fit in every respect.
+    pub fn other_unit(self, as_they_are: &Result<Fit, FitError>) -> Vec<DataFault> {
+        if !self.is_open() {
+            return Vec::new();
+        }
+        let mut units = screening::undetermined(self.dataset).into_iter();
+        let may_be_wrong = match as_they_are {
+            Err(FitError::FaultyData(_)) => false,
+            Err(_) => true,
+            // Another unit leaves more than a little.
+            Ok(fit) => units.len() > 0 && self.is_far_from_noise(fit),
+        };
+        let is_meant = |unit: &OtherMeaning| {
+            let found = self.tried_with(unit);
+            found.is_some_and(|fit| unit.is_followed(self.dataset, &fit.report.sensors))
+        };
+        let found = units.find(|unit| may_be_wrong && is_meant(unit));
+        let why = "the flights fit to the noise in this unit, and not as they are";
+        found.map_or_else(Vec::new, |unit| unit.faults(self.dataset, why, true))
+    }
+
+    fn is_far_from_noise(self, fit: &Fit) -> bool {
+        lacks_fit(fit, self.options).is_some_and(|(_, is_far)| is_far)
+    }
+
+    /// Faults of poses whose positions and attitudes are in different frames: as they are, the fit is far from the noise,
+    /// and with attitudes turned far about the third axis, or with one coordinate negated, the flights fit in every respect,
+    /// which of several is the most usual. Smaller turns are those of an effect.
+    pub fn frames_of_poses(self, as_they_are: &Result<Fit, FitError>) -> Vec<DataFault> {
+        let found = as_they_are.as_ref().ok().filter(|_| self.is_open());
+        let found = Poses::of(self.dataset).zip(found);
+        let Some((pose, stated)) = found.filter(|(_, fit)| self.is_far_from_noise(fit)) else {
+            return Vec::new();
+        };
+        let problem = &stated.problem;
+        let own = ModelTree::of(self.model);
+        let turned = own.find_effect(ATTITUDE_TURNED);
+        let Ok(turned) = turned.and_then(|effect| own.with(&effect)?.check()) else {
+            return Vec::new();
+        };
+        let with_turn = Task {
+            model: &turned,
+            ..self
+        };
+        let mut other = None;
+        for degrees in [90.0, -90.0, 180.0] {
+            let turned = |flight: &Flight| pose.turned(flight, degrees);
+            if !pose.are_better(problem, turned) {
+                continue;
+            }
+            let found = with_turn.tried_reliably(self.to_fit().map(turned));
+            let Some(left) = found.as_ref().and_then(turn_about_third) else {
+                continue;
+            };
+            if left.abs() < NEARLY {
+                return pose.faults_of_turn(left - degrees);
+            }
+            other = Some(left - degrees).filter(|by| by.abs() > FAR_TURN);
+            break;
+        }
+        for axis in [1, 2, 0] {
+            let negated = |flight: &Flight| pose.negated(flight, axis);
+            if pose.are_better(problem, negated)
+                && self.tried_reliably(self.to_fit().map(negated)).is_some()
+            {
+                return pose.faults_of_sign(axis);
+            }
+        }
+        other.map_or_else(Vec::new, |by| pose.faults_of_turn(by))
+    }
+
+    /// Sentences on held coefficients that are more than [`MAX_PRIOR_CONFLICT`] standard errors from their estimates.
+    pub fn conflicts(self, held: &Fit) -> Vec<String> {
+        let fixed = self.options.fixed.iter().enumerate();
+        let each = fixed.filter_map(|(place, (name, _))| {
+            let (_, value) = held.problem.fixed.iter().find(|(own, _)| own == name)?;
+            let mut others = self.options.fixed.to_vec();
+            others.remove(place);
+            let freed = FitOptions {
+                fixed: &others,
+                profiles: &[],
+                known_faults: Some(&held.report.data_faults),
+                ..*self.options
+            };
+            let task = Task {
+                options: &freed,
+                ..self
+            };
+            let fit = task.fit(Some(held)).ok()?;
+            let free = fit.report.coefficients.get(name)?;
+            let clustered = free.std_error_cluster_robust.unwrap_or(0.0);
+            let error = free.std_error.max(clustered);
+            let conflict = (free.value - value).abs() / error;
+            // An estimate at a bound has no standard error: the data may tell nothing of it.
+            (!free.at_bound && conflict > MAX_PRIOR_CONFLICT).then(|| {
+                format!(
+                    "the data contradict the held value {name} = {value}: they give {}, {conflict:.1} standard errors away",
+                    Digits::of(free.value, error).one(free.value)
+                )
+            })
+        });
+        each.collect()
+    }
 }
 
 /// Turn of the attitudes that a fit has found, degrees; `None` if it is about another than the third axis.
@@ -236,49 +252,6 @@ fn flies_as_recorded(fit: &Fit) -> bool {
     median_of(durations)
         .zip(left)
         .is_some_and(|(duration, left)| left < BENDING * MAX_ACCELERATION * duration * duration)
-}
-
-/// Sentences on held coefficients that are more than [`MAX_PRIOR_CONFLICT`] standard errors from their estimates.
-pub fn conflicts(
-    model: &Model,
-    dataset: &Dataset,
-    options: &FitOptions<'_>,
-    held: &Fit,
-) -> Vec<String> {
-    let mut conflicts = Vec::new();
-    for (place, (name, _)) in options.fixed.iter().enumerate() {
-        let Some((_, value)) = held.problem.fixed.iter().find(|(own, _)| own == name) else {
-            continue;
-        };
-        let mut others = options.fixed.to_vec();
-        others.remove(place);
-        let freed = FitOptions {
-            fixed: &others,
-            profiles: &[],
-            known_faults: Some(&held.report.data_faults),
-            ..*options
-        };
-        let fit = fit_within(model, dataset, &freed, Some(held)).ok();
-        let Some(free) = fit.and_then(|fit| fit.report.coefficients.get(name).cloned()) else {
-            continue;
-        };
-        // An estimate at a bound has no standard error: the data may tell nothing of it.
-        if free.at_bound {
-            continue;
-        }
-        let error = free
-            .std_error
-            .max(free.std_error_cluster_robust.unwrap_or(0.0));
-        let conflict = (free.value - value).abs() / error;
-        if conflict > MAX_PRIOR_CONFLICT {
-            let digits = Digits::of(free.value, error);
-            conflicts.push(format!(
-                "the data contradict the held value {name} = {value}: they give {}, {conflict:.1} standard errors away",
-                digits.one(free.value)
-            ));
-        }
-    }
-    conflicts
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ pub(crate) use residuals::ResidualPool;
 pub use stated::{FarConstant, far_constants};
 
 /// Content of `report.json` of a fit, schema `hyzer.fit/2`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FitReport {
     /// Schema identifier, `hyzer.fit/2`.
     pub schema: String,
@@ -174,7 +174,7 @@ pub struct AxisNoise {
 }
 
 /// Estimate of a coefficient or another global parameter.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Coefficient {
     /// Estimated value, or the fixed value if `fixed`, SI.
     pub value: f64,
@@ -199,7 +199,7 @@ pub struct Coefficient {
 }
 
 /// Results of a fit for one flight: residuals, initial state, truncation and remarks.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FlightReport {
     /// File name of the flight.
     pub file: String,

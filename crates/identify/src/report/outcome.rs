@@ -9,10 +9,11 @@ use crate::least_squares::StopReason;
 use crate::numbers::quantity;
 
 /// Outcome of a flight in a fit.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 pub enum FlightOutcome {
     /// The initial state of the flight was fitted together with the global parameters.
+    #[default]
     Fitted,
     /// The initial state was fitted to the conditioning segment, and the later samples were predicted.
     HeldOut,
@@ -44,10 +45,11 @@ impl FlightOutcome {
 }
 
 /// Convergence status of a fit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FitStatus {
     /// The last least-squares minimisation converged, and the noise model agrees with its residuals.
+    #[default]
     Converged,
     /// The last minimisation reached its maximum number of steps, or progressed too slowly.
     MaxSteps,
@@ -78,7 +80,7 @@ impl FitStatus {
 }
 
 /// Number of steps and status of the iterations of a fit.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Iterations {
     /// Total number of least-squares steps in all stages of the fit.
     pub steps: usize,

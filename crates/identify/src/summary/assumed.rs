@@ -57,19 +57,11 @@ impl SummaryModel {
         let channels = all.into_iter().enumerate();
         channels
             .map(|(index, (value, unit, assumed, sigma))| Channel {
-                name: String::new(),
-                kind: ChannelKind::Summary(value),
-                position: [0.0; 3],
-                components: 1,
                 group: group + index,
                 sigma: Some(sigma),
-                scale: 1.0,
-                unit,
-                to_si: 1.0,
                 is_exact: true,
                 assumed: Some(assumed),
-                rounding: [0.0; 3],
-                repeats: false,
+                ..Channel::new("", ChannelKind::Summary(value), 1, unit)
             })
             .collect()
     }

@@ -63,7 +63,7 @@ pub fn page(page: &DiagnosisPage<'_>) -> Page {
 }
 
 fn summary(report: &Report, finding: &Finding, figure: Option<Figure>) -> Html {
-    let verdict = format!("verdict {}", report.verdict.name());
+    let verdict = format!("verdict {}", report.verdict);
     let mut lead = Html::from("\n");
     if !finding.what.is_empty() {
         lead.element("p", "finding", &finding.what);

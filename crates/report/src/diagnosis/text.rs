@@ -11,7 +11,7 @@ const MAX_TESTS: usize = 10;
 /// Text of a diagnosis: sentences and tables of the page.
 pub fn text(report: &Report) -> String {
     let mut text = cautions("diagnosis", &report.cautions, &report.data_faults);
-    text += &wrapped(&format!("{}: {}", report.verdict.name(), report.summary));
+    text += &wrapped(&format!("{}: {}", report.verdict, report.summary));
     for (i, explanation) in report.explanations.iter().enumerate() {
         text += &format!("\nexplanation {}: {}\n", i + 1, explanation.name());
         text += &explanations::estimates(explanation).text(usize::MAX);
