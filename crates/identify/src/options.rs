@@ -4,6 +4,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use flight::parallel;
+
 use crate::error::{DataFault, FitError};
 
 /// Options of a fit. By default, every coefficient is estimated within its bounds, on all processors.
@@ -109,6 +111,21 @@ impl FitOptions<'_> {
         }
     }
 
+    /// Runs `task` for each of `count` flights of a stage, on the threads of the fit.
+    pub(crate) fn each_flight<R: Send>(
+        &self,
+        stage: &str,
+        count: usize,
+        task: impl Fn(usize) -> R + Sync,
+    ) -> Vec<R> {
+        self.stage_started(stage, count);
+        parallel::each_on(self.threads(), count, |flight| {
+            let done = task(flight);
+            self.flight_done();
+            done
+        })
+    }
+
     pub(crate) fn flight_done(&self) {
         if let Some(progress) = self.progress {
             progress.flight_done();
@@ -139,9 +156,7 @@ impl FitOptions<'_> {
 
     /// Number of threads to use: the given number, or the number of processors if none is given; 0 is replaced by 1.
     pub fn threads(&self) -> usize {
-        self.threads
-            .unwrap_or_else(flight::parallel::threads)
-            .max(1)
+        self.threads.unwrap_or_else(parallel::threads).max(1)
     }
 }
 

@@ -7,7 +7,6 @@ use flight::parallel;
 use nalgebra::DVector;
 
 use super::FitError;
-use super::residual_cache::exclude_failed;
 use super::reweighting::{Reweighted, reweight};
 use super::state::State;
 use crate::least_squares::{NormalBlock, ScaledCholesky};
@@ -65,8 +64,7 @@ pub fn leave_out_ends(
         for (observations, runs) in state.flights.iter_mut().zip(found) {
             leave_out(observations, runs);
         }
-        let residuals = state.residuals();
-        let residuals = exclude_failed(state, residuals)?;
+        let residuals = state.flown_residuals()?;
         let without = reweight(state, residuals, None)?;
         // Fewer samples leave more only if the fit of a wrong model ends elsewhere.
         if without.noise.overall() > AT_NOISE * noise {

@@ -1,6 +1,5 @@
 //! Held-out flights: the initial state is fitted to the conditioning segment, and the rest is predicted.
 
-use flight::parallel;
 use model_spec::layout::StateId;
 use nalgebra::{DMatrix, DVector};
 
@@ -87,10 +86,10 @@ pub fn held_out<'a>(
     population: &[StatePrior],
 ) -> Vec<FlightResult> {
     let options = at.options;
-    if !flights.is_empty() {
-        options.stage_started("held-out flights", flights.len());
+    if flights.is_empty() {
+        return Vec::new();
     }
-    parallel::each_on(options.threads(), flights.len(), |index| {
+    options.each_flight("held-out flights", flights.len(), |index| {
         let start = start(flights[index]);
         let flight = flights[index].index();
         let search = contacts.get(flight).and_then(Option::as_ref);
@@ -99,7 +98,6 @@ pub fn held_out<'a>(
             true => Err(FlightError::Deadline),
             false => predict(at, (flight, search), start, noise, population),
         };
-        options.flight_done();
         found.unwrap_or_else(|reason| left_out(flight, &reason))
     })
 }

@@ -46,13 +46,6 @@ pub fn overall(sigma: [f64; 3]) -> f64 {
     (sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
 }
 
-/// Flights that can be fitted, each with one or more initial guesses of its initial state.
-pub struct InitialGuesses<'a> {
-    pub state: State<'a>,
-    /// All initial guesses of each flight; several if the samples are too far apart to determine the spin.
-    pub alternatives: Vec<Vec<InitialGuess>>,
-}
-
 /// Observations of the flights that can be fitted, excluded flights, and noise estimates.
 pub struct ObservedFlights {
     pub usable: Vec<(FlightId, Observations)>,
@@ -128,43 +121,38 @@ fn exclude(dataset: &Dataset, flight: FlightId, reason: FlightError) -> Excluded
     }
 }
 
-pub fn initial_guesses<'a>(
+/// A fit in progress of the flights that can be fitted, from their initial guesses.
+pub fn from_guesses<'a>(
     problem: &'a FitProblem,
     dataset: &Dataset,
     observed: ObservedFlights,
     options: &'a FitOptions<'a>,
-) -> Result<InitialGuesses<'a>, FitError> {
+) -> Result<State<'a>, FitError> {
     let ObservedFlights {
         usable,
         mut excluded,
         ..
     } = observed;
-    options.stage_started("starts", usable.len());
     let interval = median_interval(usable.iter().map(|(_, observations)| observations));
     let mut state = State::new(problem, options, problem.model_values(), interval);
     let at = state.fixed_global();
-    let found = parallel::each_on(options.threads(), usable.len(), |index| {
-        let found = refined_guesses(at, &usable[index].1);
-        options.flight_done();
-        found
+    let found = options.each_flight("starts", usable.len(), |index| {
+        refined_guesses(at, &usable[index].1)
     });
-    let mut alternatives = Vec::new();
     for ((flight, observations), found) in usable.into_iter().zip(found) {
         match found {
             Ok(guesses) => {
-                let guesses: Vec<_> = guesses.into_iter().map(|(_, guess)| guess).collect();
+                let guesses = guesses.into_iter().map(|(_, guess)| guess);
+                let guesses: Vec<InitialGuess> = guesses.collect();
                 state.push(flight, observations, guesses[0].state.clone());
-                alternatives.push(guesses);
+                state.guesses[state.ids.len() - 1] = guesses;
             }
             Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
     state.excluded = excluded;
     state.exclude(Vec::new())?;
-    Ok(InitialGuesses {
-        state,
-        alternatives,
-    })
+    Ok(state)
 }
 
 /// Note for a flight that makes `turns` additional turns between successive samples.

@@ -42,7 +42,6 @@ use flight::parallel;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
-use self::initial_guess::InitialGuesses;
 use self::residual_cache::ResidualCache;
 use self::reweighting::Reweighted;
 use self::state::State;
@@ -229,7 +228,7 @@ impl Task<'_> {
                 (ResidualCache::default(), None),
             ),
             false => {
-                let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
+                let guesses = initial_guess::from_guesses(&problem, dataset, observed, options)?;
                 from_guesses(dataset, guesses, doubtful)?
             }
         };
@@ -348,7 +347,7 @@ impl Screened<'_> {
 /// squares by the last step, if its residuals were weighted by their noise.
 fn from_guesses<'a>(
     dataset: &Dataset,
-    guesses: InitialGuesses<'a>,
+    guesses: State<'a>,
     doubtful: Vec<ExcludedFlight>,
 ) -> Result<(State<'a>, (ResidualCache, Option<f64>)), FitError> {
     let (mut state, cache) = converged(guesses, doubtful)?;
@@ -358,14 +357,13 @@ fn from_guesses<'a>(
 
 /// The stages of [`from_guesses`] that leave the ends of the flights as they are, with the residuals.
 fn converged(
-    mut guesses: InitialGuesses<'_>,
+    mut guesses: State<'_>,
     doubtful: Vec<ExcludedFlight>,
 ) -> Result<(State<'_>, ResidualCache), FitError> {
-    guesses.state.excluded.extend(doubtful);
-    let (mut state, cache) = if guesses.state.problem.sees_positions() {
-        spin_aliases::resolve(guesses)?
-    } else {
-        starts::best_of_several(guesses)?
+    guesses.excluded.extend(doubtful);
+    let (mut state, cache) = match guesses.problem.sees_positions() {
+        true => spin_aliases::resolve(guesses)?,
+        false => starts::best_of_several(guesses)?,
     };
     let cache = residual_cache::bound_global_errors(&mut state, cache);
     let cache = restarts::restart(&mut state, cache)?;

@@ -7,7 +7,7 @@ use model_spec::model::{ExprKind, Function, Model};
 
 use super::FitError;
 use super::converged;
-use super::initial_guess::{self, ObservedFlights, initial_guesses, observe, overall};
+use super::initial_guess::{self, ObservedFlights, observe, overall};
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::ground_contact::ContactSearch;
@@ -71,7 +71,7 @@ fn predicted(
     initial_guess::set_noise(&mut problem, &observed, std::iter::empty());
     let floor = observed.noise_floor.map_or(0.0, overall);
     let noise = problem.sigma0.max(floor);
-    let guesses = initial_guesses(&problem, dataset, observed, options)?;
+    let guesses = initial_guess::from_guesses(&problem, dataset, observed, options)?;
     let (state, cache) = converged(guesses, Vec::new())?;
     let kept = cut
         .iter()
@@ -86,7 +86,7 @@ fn is_noise(
     (id, samples): &CutFlight,
     noise: f64,
 ) -> bool {
-    let place = state.ids.iter().position(|own| own == id);
+    let place = state.place(*id);
     let path = place.and_then(|place| cache.path(&state.flights, place).ok());
     let Some(path) = path else {
         return false;

@@ -54,6 +54,12 @@ impl State<'_> {
         let samples = self.flights.iter().map(|flight| flight.times.len());
         ResidualCache::new(self, &samples.collect::<Vec<usize>>())
     }
+
+    /// [`residuals`](Self::residuals) of the flights that can be integrated; the others are excluded.
+    pub fn flown_residuals(&mut self) -> Result<ResidualCache, FitError> {
+        let residuals = self.residuals();
+        exclude_failed(self, residuals)
+    }
 }
 
 impl ResidualCache {

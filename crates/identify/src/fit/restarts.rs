@@ -176,11 +176,7 @@ fn from_undistorted<'a>(state: &State<'a>) -> Result<Option<Arrival<'a>>, FitErr
     options.stage_started("undistorted samples", state.flights.len());
     let mut started = state.clone();
     started.limits.fill(f64::INFINITY);
-    for (local, found) in started.local.iter_mut().zip(found) {
-        if let Some(found) = found {
-            *local = found;
-        }
-    }
+    started.move_to(found);
     started.global = global;
     let cache = continue_horizon(&mut started)?;
     Ok(Some((started, cache)))

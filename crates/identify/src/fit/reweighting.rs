@@ -2,7 +2,7 @@
 
 use super::FitError;
 use super::horizon_continuation::unevaluated_step;
-use super::residual_cache::{ResidualCache, exclude_failed, solve_flights};
+use super::residual_cache::{ResidualCache, solve_flights};
 use super::state::State;
 use super::{flight_error, summary_noise};
 use crate::error::FlightError;
@@ -51,8 +51,7 @@ pub fn reweight(
             state.exclude(undetermined)?;
         }
         // Every pass except the last one excludes a flight.
-        let residuals = state.residuals();
-        cache = exclude_failed(state, residuals)?;
+        cache = state.flown_residuals()?;
     }
 }
 
@@ -114,8 +113,7 @@ fn agree(
         if found.iterations == 1 && found.last_step_is_negligible(criteria) {
             return Ok(Some(Reweighted::new(noise, found, cache, true)));
         }
-        let residuals = state.residuals();
-        cache = exclude_failed(state, residuals)?;
+        cache = state.flown_residuals()?;
         if state.flights.len() < flights {
             return Ok(None);
         }

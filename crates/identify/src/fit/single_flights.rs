@@ -1,7 +1,6 @@
 //! Flights that do not fit with the others: they are started again, excluded if they remain unlike the others, and
 //! taken back if the final parameters describe them.
 
-use flight::parallel;
 use nalgebra::DVector;
 
 use super::horizon_continuation::anneal_scale;
@@ -49,12 +48,8 @@ pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<Residua
     if suspects.is_empty() || options.is_past_deadline() {
         return Ok(cache);
     }
-    options.stage_started("flights that stand out", suspects.len());
-    let found = parallel::each_on(options.threads(), suspects.len(), |index| {
-        let flight = suspects[index];
-        let found = restart(state, flight, scales[flight]);
-        options.flight_done();
-        found
+    let found = options.each_flight("flights that stand out", suspects.len(), |index| {
+        restart(state, suspects[index], scales[suspects[index]])
     });
     let has_improved = found.iter().any(Option::is_some);
     for (&flight, found) in suspects.iter().zip(found) {
@@ -209,17 +204,14 @@ pub fn take_back(
         if tried.is_empty() || options.is_past_deadline() {
             break;
         }
-        options.stage_started("flights left out", tried.len());
         let usual = reweighted.cache.usual_scale(state.problem);
         let at = FixedGlobal {
             global: &reweighted.solution.iterate.global,
             ..state.fixed_global()
         };
-        let found = parallel::each_on(options.threads(), tried.len(), |index| {
+        let found = options.each_flight("flights left out", tried.len(), |index| {
             let flight = &dataset.flights[tried[index].flight.index()];
-            let found = like_the_others(at, flight, usual);
-            options.flight_done();
-            found
+            like_the_others(at, flight, usual)
         });
         let mut with = state.clone();
         with.excluded = kept;
@@ -287,7 +279,7 @@ mod tests {
         let observed = initial_guess::observe(&problem, &dataset, &fitted, &[], &options);
         problem.sigma0 = observed.sigma0.unwrap();
         problem.tolerance = whitened_tolerance(&model, fitted.len());
-        let guesses = initial_guess::initial_guesses(&problem, &dataset, observed, &options);
+        let guesses = initial_guess::from_guesses(&problem, &dataset, observed, &options);
         let (state, _) = spin_aliases::resolve(guesses.unwrap()).unwrap();
         then(&dataset, state)
     }

@@ -7,12 +7,10 @@ use nalgebra::{DVector, Vector3};
 
 use super::FitError;
 use super::horizon_continuation::{anneal_scale, continue_horizon};
-use super::initial_guess::{InitialGuesses, spin_note};
+use super::initial_guess::spin_note;
 use super::residual_cache::ResidualCache;
 use super::starts::{ANOTHER, Arrivals, are_same};
 use super::state::State;
-use crate::ids::FlightId;
-use crate::initial_state::InitialGuess;
 use crate::levels::ROUGHLY_NOISE;
 use crate::problem::FitProblem;
 use dataset::statistics::median_of;
@@ -35,9 +33,8 @@ const DECISIVE: f64 = 30.0;
 const ROUNDS: usize = 3;
 
 /// Fits all flights once for each alias of the spin, and returns the best fit.
-pub fn resolve(guesses: InitialGuesses<'_>) -> Result<(State<'_>, ResidualCache), FitError> {
-    let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
-    let all = alternatives.iter().flatten();
+pub fn resolve(mut state: State<'_>) -> Result<(State<'_>, ResidualCache), FitError> {
+    let all = state.guesses.iter().flatten();
     let aliases = ALIASES.into_iter();
     let aliases = aliases.filter(|alias| all.clone().any(|guess| guess.turns == *alias));
     let aliases: Vec<i32> = aliases.collect();
@@ -45,21 +42,20 @@ pub fn resolve(guesses: InitialGuesses<'_>) -> Result<(State<'_>, ResidualCache)
         let cache = continue_horizon(&mut state)?;
         return Ok((state, cache));
     }
-    let ids = state.ids.clone();
     let mut arrivals = Arrivals::default();
     let scale_of = |(fit, cache): &(State<'_>, ResidualCache)| {
         median_scale(cache, fit.excluded.len() - state.excluded.len())
     };
     let common: Vec<Vec<i32>> = { aliases.iter() }
-        .map(|alias| vec![*alias; alternatives.len()])
+        .map(|alias| vec![*alias; state.guesses.len()])
         .collect();
     for turns in &common {
-        arrivals.add(with_turns(&state, alternatives, turns), converged);
+        arrivals.add(with_turns(&state, turns), converged);
     }
     let mut arrived = arrivals.fits.iter();
     if !arrived.any(|fit| is_noise_of(scale_of(fit), &state)) {
-        for turns in further_choices(&state, alternatives, &common) {
-            arrivals.add(with_turns(&state, alternatives, &turns), converged);
+        for turns in further_choices(&state, &common) {
+            arrivals.add(with_turns(&state, &turns), converged);
         }
     }
     if arrivals.fits.is_empty() {
@@ -107,7 +103,7 @@ pub fn resolve(guesses: InitialGuesses<'_>) -> Result<(State<'_>, ResidualCache)
     let least = scale(best);
     let (mut state, mut cache) = arrivals.take(best, doubt)?;
     if is_noise_of(least, &state) {
-        cache = with_own_turns(&mut state, cache, (&ids, alternatives))?;
+        cache = with_own_turns(&mut state, cache)?;
     }
     Ok((state, cache))
 }
@@ -117,11 +113,10 @@ pub fn resolve(guesses: InitialGuesses<'_>) -> Result<(State<'_>, ResidualCache)
 fn with_own_turns(
     state: &mut State<'_>,
     mut cache: ResidualCache,
-    (ids, alternatives): (&[FlightId], &[Vec<InitialGuess>]),
 ) -> Result<ResidualCache, FitError> {
     let mut open = Vec::new();
     for _ in 0..ROUNDS {
-        let found = gains_of_turns(state, &cache, (ids, alternatives));
+        let found = gains_of_turns(state, &cache);
         let each = found.into_iter().enumerate();
         let (better, others): (Vec<_>, Vec<_>) = each
             .filter_map(|(flight, found)| Some((flight, found?)))
@@ -153,11 +148,7 @@ fn with_own_turns(
 
 /// For each flight that does not fit to the noise the initial state of another spin with the least deviance at the present
 /// parameters, and by how much it is less than that of the present one.
-fn gains_of_turns(
-    state: &State<'_>,
-    cache: &ResidualCache,
-    (ids, alternatives): (&[FlightId], &[Vec<InitialGuess>]),
-) -> Vec<Option<(f64, DVector<f64>)>> {
+fn gains_of_turns(state: &State<'_>, cache: &ResidualCache) -> Vec<Option<(f64, DVector<f64>)>> {
     let (at, sigma0) = (state.fixed_global(), state.problem.sigma0);
     let (spin, scales) = (spins(state.problem), cache.scales());
     parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
@@ -165,14 +156,13 @@ fn gains_of_turns(
         if scales[flight].is_some_and(|scale| is_noise_of(scale, state)) {
             return None;
         }
-        let place = ids.iter().position(|id| *id == state.ids[flight])?;
         let fitted = |local: &DVector<f64>| {
             let samples = observations.times.len();
             at.fit_initial_state(observations, samples, local.clone())
                 .ok()
         };
         let (present, local) = fitted(&state.local[flight])?;
-        let (own, guesses) = (spin(&local)?, alternatives[place].iter());
+        let (own, guesses) = (spin(&local)?, state.guesses[flight].iter());
         let others = guesses.filter_map(|guess| {
             let (squares, local) = fitted(&guess.state)?;
             let is_another = (spin(&local)? - own).norm() > ANOTHER * own.norm();
@@ -230,14 +220,10 @@ fn gain_of(
 }
 
 /// A fit in progress in which each flight starts at its guess with its number of additional turns, if it has one.
-fn with_turns<'a>(
-    state: &State<'a>,
-    alternatives: &[Vec<InitialGuess>],
-    turns: &[i32],
-) -> State<'a> {
+fn with_turns<'a>(state: &State<'a>, turns: &[i32]) -> State<'a> {
     let mut state = state.clone();
-    for (index, (guesses, turns)) in alternatives.iter().zip(turns).enumerate() {
-        let mut guesses = guesses.iter();
+    for (index, turns) in turns.iter().enumerate() {
+        let mut guesses = state.guesses[index].iter();
         let guess = guesses.find(|guess| guess.turns == *turns && *turns != 0);
         if let Some(guess) = guess {
             state.local[index].clone_from(&guess.state);
@@ -250,18 +236,14 @@ fn with_turns<'a>(
 /// Numbers of additional turns, by flight, that are tried beside the `common` ones of all flights: those that suit the
 /// model's values, and those with which all flights spin most alike, as some may spin below and others above half a turn
 /// per interval.
-fn further_choices(
-    state: &State<'_>,
-    alternatives: &[Vec<InitialGuess>],
-    common: &[Vec<i32>],
-) -> Vec<Vec<i32>> {
+fn further_choices(state: &State<'_>, common: &[Vec<i32>]) -> Vec<Vec<i32>> {
     let mut choices: Vec<Vec<i32>> = Vec::new();
-    let of_model = nearest_to_model(state, alternatives);
+    let of_model = nearest_to_model(state);
     if !common.contains(&of_model) {
         choices.push(of_model);
     }
     let spin = spins(state.problem);
-    let spins = alternatives.iter().map(|guesses| {
+    let spins = state.guesses.iter().map(|guesses| {
         let each = guesses.iter();
         let each = each.filter_map(|guess| Some((guess.turns, spin(&guess.state)?)));
         each.collect()
@@ -289,12 +271,12 @@ fn further_choices(
 }
 
 /// Number of additional turns with which each flight is nearest to what the model flies with its own values.
-fn nearest_to_model(state: &State<'_>, alternatives: &[Vec<InitialGuess>]) -> Vec<i32> {
+fn nearest_to_model(state: &State<'_>) -> Vec<i32> {
     let at = state.fixed_global();
-    parallel::each_on(state.options.threads(), alternatives.len(), |flight| {
+    parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
         let observations = &state.flights[flight];
         let samples = observations.times.len();
-        let fitted = alternatives[flight].iter().filter_map(|guess| {
+        let fitted = state.guesses[flight].iter().filter_map(|guess| {
             let found = at.fit_initial_state(observations, samples, guess.state.clone());
             Some((found.ok()?.0, guess.turns))
         });
@@ -351,13 +333,10 @@ mod tests {
         let observed = initial_guess::observe(&problem, &dataset, &fitted, &[], &options);
         problem.sigma0 = observed.sigma0.unwrap();
         problem.tolerance = whitened_tolerance(&model, fitted.len());
-        let guesses = initial_guess::initial_guesses(&problem, &dataset, observed, &options);
+        let guesses = initial_guess::from_guesses(&problem, &dataset, observed, &options);
         let guesses = guesses.unwrap();
-        let slowest: Vec<_> = guesses
-            .alternatives
-            .iter()
-            .map(|all| all[0].clone())
-            .collect();
+        let slowest = guesses.guesses.iter().map(|all| all[0].clone());
+        let slowest: Vec<_> = slowest.collect();
         let (state, _) = resolve(guesses).unwrap();
         let spin = spins(&problem);
         let along = |state| spin(state).unwrap().z;

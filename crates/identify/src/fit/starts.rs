@@ -9,11 +9,9 @@ use nalgebra::DVector;
 
 use super::FitError;
 use super::horizon_continuation::{anneal_scale, continue_horizon};
-use super::initial_guess::InitialGuesses;
 use super::output_error::FixedGlobal;
 use super::residual_cache::ResidualCache;
 use super::state::State;
-use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
 use crate::levels::ROUGHLY_NOISE;
 use crate::observations::Observations;
@@ -98,53 +96,42 @@ pub(super) fn are_same(model: &Model, (one, other): (&DVector<f64>, &DVector<f64
 }
 
 /// Finds the best minimum of the longest flights, and fits all flights from there.
-pub fn best_of_several(
-    guesses: InitialGuesses<'_>,
-) -> Result<(State<'_>, ResidualCache), FitError> {
-    let start = guesses.state;
-    let guesses = &Guesses {
-        ids: start.ids.clone(),
-        of_flights: &guesses.alternatives,
-    };
+pub fn best_of_several(mut start: State<'_>) -> Result<(State<'_>, ResidualCache), FitError> {
     let mut longest: Vec<usize> = (0..start.flights.len()).collect();
     longest.sort_by_key(|&flight| std::cmp::Reverse(start.flights[flight].times.len()));
     longest.truncate(SEARCHED);
     if longest.len() == start.flights.len() || start.problem.channels.len() == 1 {
-        return best_minimum(start, guesses);
+        return best_minimum(start);
     }
     let mut few = start.without_flights();
-    for &flight in &longest {
-        let (observations, local) = (&start.flights[flight], &start.local[flight]);
-        few.push(start.ids[flight], observations.clone(), local.clone());
-    }
-    let (found, _) = best_minimum(few, guesses)?;
-    let mut state = start;
-    state.global.clone_from(&found.global);
-    state.doubts.extend(found.doubts);
-    exchange(&mut state, guesses);
+    longest
+        .iter()
+        .for_each(|&flight| few.push_from(&start, flight));
+    let (found, _) = best_minimum(few)?;
+    start.global.clone_from(&found.global);
+    start.doubts.extend(found.doubts);
+    exchange(&mut start);
     for (id, local) in found.ids.into_iter().zip(found.local) {
-        let place = state.ids.iter().position(|own| *own == id);
-        state.local[place.expect("one of the flights")] = local;
+        let place = start.place(id).expect("one of the flights");
+        start.local[place] = local;
     }
-    let cache = anneal_scale(&mut state)?;
-    Ok((state, cache))
+    let cache = anneal_scale(&mut start)?;
+    Ok((start, cache))
 }
 
 /// Fits the flights from guesses of every speed, until two fits arrive at the least deviance. If none do, single
 /// flights are tried from their other guesses, those of the best fits first. If one fit alone arrives, this becomes a
 /// doubt of the fit.
-fn best_minimum<'a>(
-    start: State<'a>,
-    guesses: &Guesses<'_>,
-) -> Result<(State<'a>, ResidualCache), FitError> {
+fn best_minimum(start: State<'_>) -> Result<(State<'_>, ResidualCache), FitError> {
     let mut arrivals = Arrivals::default();
+    let speeds = start.guesses.iter().flatten().map(|guess| guess.speed);
+    let fastest = speeds.max().unwrap_or(0);
     for rank in 0..STARTS {
-        for speed in guesses.speeds() {
+        for speed in 0..=fastest {
             if start.options.is_past_deadline() && !arrivals.fits.is_empty() {
                 break;
             }
-            let tried = guesses.start(&start, speed, rank);
-            arrivals.add(tried, |state| {
+            arrivals.add(at_guess(&start, speed, rank), |state| {
                 continue_horizon(state)?;
                 anneal_scale(state)
             });
@@ -161,7 +148,7 @@ fn best_minimum<'a>(
             break;
         }
         let (state, cache) = &mut arrivals.fits[place];
-        exchange_initial_states(state, cache, guesses)?;
+        exchange_initial_states(state, cache)?;
         // No initial states make up for wrong readings or a wrong model.
         if cache.median_scale() > ROUGHLY_NOISE * state.problem.sigma0 {
             break;
@@ -204,46 +191,26 @@ fn least_deviance(fits: &[(State<'_>, ResidualCache)]) -> (usize, usize) {
     (best, deviances.iter().filter(is_same).count())
 }
 
-/// Initial guesses of flights, which may be excluded one after the other.
-pub(super) struct Guesses<'g> {
-    pub ids: Vec<FlightId>,
-    pub of_flights: &'g [Vec<InitialGuess>],
-}
-
-impl Guesses<'_> {
-    fn speeds(&self) -> std::ops::RangeInclusive<usize> {
-        let speeds = self.of_flights.iter().flatten().map(|guess| guess.speed);
-        0..=speeds.max().unwrap_or(0)
-    }
-
-    /// Guesses of one flight, the best one first.
-    pub fn of(&self, flight: FlightId) -> &[InitialGuess] {
-        let index = self.ids.iter().position(|id| *id == flight);
-        index.map_or(&[], |index| &self.of_flights[index])
-    }
-
-    /// A fit in progress in which each flight starts at its guess number `rank` of a speed, or at the last one.
-    fn start<'a>(&self, start: &State<'a>, speed: usize, rank: usize) -> State<'a> {
-        let mut state = start.clone();
-        for (local, id) in state.local.iter_mut().zip(&state.ids) {
-            let guesses = self.of(*id).iter();
-            let of_speed: Vec<_> = guesses.filter(|guess| guess.speed == speed).collect();
-            if let Some(guess) = of_speed.get(rank).or(of_speed.last()) {
-                local.clone_from(&guess.state);
-            }
+/// A fit in progress in which each flight starts at its guess number `rank` of a speed, or at the last one.
+fn at_guess<'a>(start: &State<'a>, speed: usize, rank: usize) -> State<'a> {
+    let mut state = start.clone();
+    for (local, guesses) in state.local.iter_mut().zip(&state.guesses) {
+        let of_speed = guesses.iter().filter(|guess| guess.speed == speed);
+        let of_speed: Vec<&InitialGuess> = of_speed.collect();
+        if let Some(guess) = of_speed.get(rank).or(of_speed.last()) {
+            local.clone_from(&guess.state);
         }
-        state
     }
+    state
 }
 
 /// Moves flights to other initial states that are better at the parameters found, and fits all flights again.
 fn exchange_initial_states(
     state: &mut State<'_>,
     cache: &mut ResidualCache,
-    guesses: &Guesses<'_>,
 ) -> Result<(), FitError> {
     for _ in 0..EXCHANGES {
-        if state.options.is_past_deadline() || !exchange(state, guesses) {
+        if state.options.is_past_deadline() || !exchange(state) {
             break;
         }
         *cache = anneal_scale(state)?;
@@ -252,7 +219,7 @@ fn exchange_initial_states(
 }
 
 /// Moves each flight to the best initial state to which its guesses lead; returns whether one moved.
-fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
+fn exchange(state: &mut State<'_>) -> bool {
     let (at, sigma0) = (state.fixed_global(), state.problem.sigma0);
     let found = parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
         let observations = &state.flights[flight];
@@ -265,7 +232,7 @@ fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
         let present = present.map_or(f64::INFINITY, |(squares, _)| squares);
         let mut least = present - SAME_MINIMUM * sigma0 * sigma0;
         let mut best = None;
-        for (of_part, other) in begun(at, observations, guesses.of(state.ids[flight]), least) {
+        for (of_part, other) in begun(at, observations, &state.guesses[flight], least) {
             // The sum of squares of a whole flight is at least that of its first part.
             if of_part >= least {
                 break;
@@ -278,13 +245,7 @@ fn exchange(state: &mut State<'_>, guesses: &Guesses<'_>) -> bool {
         }
         best
     });
-    let has_moved = found.iter().any(Option::is_some);
-    for (local, better) in state.local.iter_mut().zip(found) {
-        if let Some(better) = better {
-            *local = better;
-        }
-    }
-    has_moved
+    state.move_to(found)
 }
 
 /// Initial states to which guesses lead over the first part of a flight, with their sums of squares there: the distinct ones,

@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use crate::error::{ExcludedFlight, FitError, FlightError};
 use crate::ids::FlightId;
+use crate::initial_state::InitialGuess;
 use crate::least_squares::{FailedFlight, Iterate, Solution};
 use crate::observations::Observations;
 use crate::options::FitOptions;
@@ -21,6 +22,8 @@ pub(crate) struct State<'a> {
     pub flights: Vec<Observations>,
     pub global: DVector<f64>,
     pub local: Vec<DVector<f64>>,
+    /// All initial guesses of each flight; several if its samples do not determine its motion.
+    pub guesses: Vec<Vec<InitialGuess>>,
     /// Time after the first sample up to which each flight is used, s; infinite if the whole flight is used.
     pub limits: Vec<f64>,
     pub excluded: Vec<ExcludedFlight>,
@@ -49,6 +52,7 @@ impl<'a> State<'a> {
             flights: Vec::new(),
             global,
             local: Vec::new(),
+            guesses: Vec::new(),
             limits: Vec::new(),
             excluded: Vec::new(),
             interval,
@@ -93,7 +97,31 @@ impl<'a> State<'a> {
         self.ids.push(id);
         self.flights.push(observations);
         self.local.push(local);
+        self.guesses.push(Vec::new());
         self.limits.push(f64::INFINITY);
+    }
+
+    /// Adds a flight of another fit in progress, with its present initial state and its guesses.
+    pub fn push_from(&mut self, other: &Self, flight: usize) {
+        let (observations, local) = (&other.flights[flight], &other.local[flight]);
+        self.push(other.ids[flight], observations.clone(), local.clone());
+        self.guesses[self.ids.len() - 1].clone_from(&other.guesses[flight]);
+    }
+
+    /// Place of a flight among those that are fitted.
+    pub fn place(&self, id: FlightId) -> Option<usize> {
+        self.ids.iter().position(|own| *own == id)
+    }
+
+    /// Moves flights to other initial states, where there are any; returns whether one moved.
+    pub fn move_to(&mut self, found: Vec<Option<DVector<f64>>>) -> bool {
+        let has_moved = found.iter().any(Option::is_some);
+        for (local, found) in self.local.iter_mut().zip(found) {
+            if let Some(found) = found {
+                *local = found;
+            }
+        }
+        has_moved
     }
 
     /// Number of samples of each flight up to `horizon`, s after its first sample, or up to its time limit.
@@ -134,6 +162,7 @@ impl<'a> State<'a> {
         retain(&mut self.ids, &is_kept);
         retain(&mut self.flights, &is_kept);
         retain(&mut self.local, &is_kept);
+        retain(&mut self.guesses, &is_kept);
         retain(&mut self.limits, &is_kept);
         if self.flights.is_empty() {
             let mut excluded = std::mem::take(&mut self.excluded);

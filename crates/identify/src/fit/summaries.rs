@@ -1,7 +1,7 @@
 //! Flights that are summaries in a fit: their initial states by their releases, before noise is estimated.
 
 use super::FitError;
-use super::residual_cache::{ResidualCache, exclude_failed};
+use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::channel::{Channel, ChannelKind};
 use crate::error::{ExcludedFlight, FlightError};
@@ -67,8 +67,7 @@ impl Summaries {
             state.push(flight, observations, local);
         }
         state.exclude(Vec::new())?;
-        let residuals = state.residuals();
-        exclude_failed(state, residuals)
+        state.flown_residuals()
     }
 }
 

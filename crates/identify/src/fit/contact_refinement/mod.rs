@@ -4,8 +4,6 @@
 
 mod search;
 
-use flight::parallel;
-
 use self::search::Search;
 use super::FitError;
 use super::horizon_continuation::{UnevaluatedStep, anneal_scale, unevaluated_step};
@@ -52,8 +50,7 @@ pub fn refine_contacts(
     // The residuals of a wrong model resemble contacts in places.
     let flies = is_accurate(problem, of_others);
     let stands_out = |id: FlightId| {
-        let place = others.ids.iter().position(|other| *other == id);
-        place.is_none_or(|place| {
+        others.place(id).is_none_or(|place| {
             of_others.stands_out(place, usual, SUSPECT_LIMITS.0, SUSPECT_LIMITS.1)
         })
     };
@@ -71,40 +68,37 @@ pub fn refine_contacts(
     if suspects.is_empty() && unlike.is_empty() || options.is_past_deadline() {
         return Ok((cache, predicted_reduction));
     }
-    options.stage_started("contacts", suspects.len() + unlike.len());
     let (noise, _) = estimate_noise(&mut others.clone(), of_others)?;
     let search = Search {
         at: others.fixed_global(),
         noise: &noise,
         usual,
     };
-    let of_fitted = parallel::each_on(options.threads(), suspects.len(), |index| {
-        let index = suspects[index];
-        let flight = &dataset.flights[state.ids[index].index()];
-        let found = search.retruncated(flight, &state.flights[index], &state.local[index]);
-        options.flight_done();
-        found
+    let count = suspects.len() + unlike.len();
+    let mut moved = options.each_flight("contacts", count, |index| match suspects.get(index) {
+        Some(&place) => {
+            let flight = &dataset.flights[state.ids[place].index()];
+            search.retruncated(flight, &state.flights[place], &state.local[place])
+        }
+        None => {
+            let excluded = &unlike[index - suspects.len()];
+            search.excluded_until_contact(&dataset.flights[excluded.flight.index()])
+        }
     });
-    let of_unlike = parallel::each_on(options.threads(), unlike.len(), |index| {
-        let flight = &dataset.flights[unlike[index].flight.index()];
-        let found = search.excluded_until_contact(flight);
-        options.flight_done();
-        found
-    });
-    if of_fitted.iter().chain(&of_unlike).all(Option::is_none) {
+    if moved.iter().all(Option::is_none) {
         return Ok((cache, predicted_reduction));
     }
     let (ids, global) = (others.ids.clone(), others.global.clone());
     for (id, local) in ids.into_iter().zip(others.local.clone()) {
-        if let Some(index) = state.ids.iter().position(|own| *own == id) {
-            state.local[index] = local;
+        if let Some(place) = state.place(id) {
+            state.local[place] = local;
         }
     }
     state.global = global;
-    for (index, moved) in suspects.into_iter().zip(of_fitted) {
+    let of_unlike = moved.split_off(suspects.len());
+    for (place, moved) in suspects.into_iter().zip(moved) {
         if let Some(moved) = moved {
-            state.flights[index] = moved.observations;
-            state.local[index] = moved.state;
+            (state.flights[place], state.local[place]) = (moved.observations, moved.state);
         }
     }
     for (excluded, moved) in unlike.iter().zip(of_unlike) {
@@ -115,8 +109,7 @@ pub fn refine_contacts(
             state.push(excluded.flight, moved.observations, moved.state);
         }
     }
-    let residuals = state.residuals();
-    Ok((exclude_failed(state, residuals)?, None))
+    Ok((state.flown_residuals()?, None))
 }
 
 /// One step of all unknowns if flights that were not truncated have larger residuals than the others, although most
@@ -147,10 +140,9 @@ fn fitted_without<'a>(
 ) -> Result<Option<(State<'a>, ResidualCache)>, FitError> {
     let usual = cache.usual_scale(state.problem);
     let mut others = state.without_flights();
-    let flights = state.ids.iter().zip(&state.flights).zip(&state.local);
-    for (place, ((id, flight), local)) in flights.enumerate() {
+    for place in 0..state.flights.len() {
         if !cache.stands_out(place, usual, LEFT_OUT.0, LEFT_OUT.1) {
-            others.push(*id, flight.clone(), local.clone());
+            others.push_from(state, place);
         }
     }
     if others.ids.len() == state.ids.len() || 2 * others.ids.len() < state.ids.len() {
