@@ -13,6 +13,7 @@ use rand_chacha::ChaCha12Rng;
 use serde::{Deserialize, Serialize};
 
 use crate::context::{ColumnId, ScoreTestModel, ThrowRanges, select};
+use crate::noise::DAMPING;
 use crate::selection::{Hypothesis, Search};
 
 /// Number of simulated throws, from which the best one is chosen, and seed of their random launch conditions.
@@ -157,9 +158,6 @@ fn sentence(throw: &Throw, after: f64, now: f64) -> String {
 }
 
 // Separation of hypotheses by the information in the flights.
-
-/// Relative damping of the elimination of local parameters.
-const DAMPING: f64 = 1e-12;
 
 /// Information of the global unknowns; `None` if a flight does not determine its local parameters.
 fn information(model: &ScoreTestModel<'_>, blocks: &[NormalBlock]) -> Option<DMatrix<f64>> {

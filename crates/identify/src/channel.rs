@@ -2,6 +2,7 @@
 
 use model_spec::compose::Instrument;
 
+use crate::noise::overall;
 use crate::summary_value::{SummaryValue, exact_deviation};
 use dataset::{Dataset, SensorKind};
 
@@ -102,7 +103,7 @@ impl Channel {
 
     /// Root mean square over the axes of the standard deviations of the rounding errors, in `unit`.
     pub(crate) fn overall_rounding(&self) -> f64 {
-        (self.rounding.iter().map(|own| own * own).sum::<f64>() / 3.0).sqrt()
+        overall(self.rounding)
     }
 
     /// Whether the channel measures the position of a point, m.

@@ -316,10 +316,10 @@ pub enum FitError {
         reason: FlightError,
     },
     /// The data of every flight to be fitted have a fault. Contains the faults found.
-    #[error("the data of every flight are faulty:\n{}\ncorrect them; if they are right as they are, `--trust-data` fits them", first_faults(.0))]
+    #[error("the data of every flight are faulty:\n{}\ncorrect them; if they are right as they are, `--trust-data` fits them", first(.0))]
     FaultyData(Vec<DataFault>),
     /// No flight can be fitted. Contains all excluded flights with their reasons.
-    #[error("none of the flights can be fitted:\n{}", first_reasons(.0))]
+    #[error("none of the flights can be fitted:\n{}", first(.0))]
     NoUsableFlight(Vec<ExcludedFlight>),
     /// The caller cancelled the fit.
     #[error("interrupted")]
@@ -329,18 +329,16 @@ pub enum FitError {
 /// Maximum number of excluded flights or data faults that an error message lists.
 const MAX_LISTED_FLIGHTS: usize = 10;
 
-fn first_faults(faults: &[DataFault]) -> String {
-    let each = faults.iter().take(MAX_LISTED_FLIGHTS);
-    let faults: Vec<String> = each.map(|fault| format!("  {fault}")).collect();
-    faults.join("\n")
+fn first(all: &[impl fmt::Display]) -> String {
+    let each = all.iter().take(MAX_LISTED_FLIGHTS);
+    let lines: Vec<String> = each.map(|own| format!("  {own}")).collect();
+    lines.join("\n")
 }
 
-fn first_reasons(excluded: &[ExcludedFlight]) -> String {
-    let each = excluded.iter().take(MAX_LISTED_FLIGHTS);
-    let reasons: Vec<String> = each
-        .map(|flight| format!("  {}: {}", flight.file, flight.reason))
-        .collect();
-    reasons.join("\n")
+impl fmt::Display for ExcludedFlight {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.file, self.reason)
+    }
 }
 
 // A mistake in the data of a flight, and how to correct it.

@@ -28,6 +28,11 @@ pub struct AxesNoise {
     pub interval: f64,
 }
 
+/// Root mean square of the standard deviations along the three axes.
+pub(crate) fn overall(sigma: [f64; 3]) -> f64 {
+    (sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
+}
+
 /// Number of noise groups, given the group of each channel; 1 if there are no channels.
 pub fn group_count(group_of: &[usize]) -> usize {
     group_of.iter().max().map_or(1, |last| last + 1)
@@ -158,7 +163,7 @@ impl AxesNoise {
 
     /// Root mean square of the noise standard deviations along the three axes, m.
     pub fn overall(&self) -> f64 {
-        (self.sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
+        overall(self.sigma)
     }
 
     fn is_within(&self, other: &AxesNoise, tolerance: f64) -> bool {

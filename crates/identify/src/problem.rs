@@ -126,27 +126,24 @@ impl FitProblem {
         dataset: &Dataset,
         options: &FitOptions<'_>,
     ) -> Result<Self, FitError> {
-        let layout = Layout::new(model);
-        let selected = known_constants(model, &layout, dataset)
-            .and_then(|mut known| global_parameters::select(model, &layout, &mut known, options));
-        // The same error is returned by `with_body`, in the order of its checks.
-        let globals = selected.map_or_else(|_| Vec::new(), |(globals, _)| globals);
-        let by = globals.iter().map(|global| global.param.index()).collect();
-        let body = CompiledModel::with_derivatives_by(model, by);
-        Self::with_body(model, body, dataset, options)
+        Self::with_body(model, dataset, options, |globals| {
+            let by = globals.iter().map(|global| global.param.index()).collect();
+            CompiledModel::with_derivatives_by(model, by)
+        })
     }
 
-    /// [`new`](Self::new) for a model that is already compiled as `body`.
+    /// [`new`](Self::new) for a model that `compile` compiles, given what is estimated.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
     pub fn with_body(
         model: &Model,
-        body: CompiledModel,
         dataset: &Dataset,
         options: &FitOptions<'_>,
+        compile: impl FnOnce(&[GlobalParameter]) -> CompiledModel,
     ) -> Result<Self, FitError> {
-        let mut parameters = known_constants(model, body.layout(), dataset)?;
+        let layout = Layout::new(model);
+        let mut parameters = known_constants(model, &layout, dataset)?;
         let mut markers: Vec<[f64; 3]> = dataset.markers.iter().map(|m| m.position).collect();
         // Markers of a point mass are fixed in the inertial frame, which is frame 0.
         let marker = model.marker.as_ref();
@@ -187,8 +184,8 @@ impl FitProblem {
                 markers: dataset.markers.len(),
             });
         }
-        let (globals, fixed) =
-            global_parameters::select(model, body.layout(), &mut parameters, options)?;
+        let (globals, fixed) = global_parameters::select(model, &layout, &mut parameters, options)?;
+        let body = compile(&globals);
         if let Some(constraints) = body.constraints() {
             let indices = globals.iter().map(|global| global.param.index());
             let mut held = indices.filter(|&index| constraints.depend_on(&parameters, index));

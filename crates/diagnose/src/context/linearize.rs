@@ -4,8 +4,8 @@ use std::sync::Mutex;
 
 use flight::{BoundModel, parallel};
 use identify::{
-    FitError, FitProblem, FlightAt, FlightError, GlobalId, Iterate, LocalId, Loss, NoiseModel,
-    NormalBlock, PointResidual, Unknowns,
+    FitError, FitProblem, FlightAt, FlightError, Iterate, Loss, NoiseModel, NormalBlock,
+    PointResidual, Unknowns,
 };
 use model_spec::layout::ParamId;
 use ode::DifferentiableRhs;
@@ -77,9 +77,9 @@ impl ScoreTestModel<'_> {
 
     /// Copy of the normal equations of one flight without the columns that belong to coefficients of library terms.
     pub fn without_terms(&self, block: &NormalBlock) -> NormalBlock {
-        let locals = (0..block.local.nrows()).map(LocalId::new);
-        let globals = (0..self.global_columns()).map(GlobalId::new);
-        block.select(&locals.collect::<Vec<_>>(), &globals.collect::<Vec<_>>())
+        let locals = block.local.nrows();
+        let all: Vec<usize> = (0..locals + self.global_columns()).collect();
+        block.select(&all[..locals], &all[locals..])
     }
 
     /// Removes a flight from the model and from `iterate`; returns whether it was found.

@@ -240,8 +240,10 @@ fn encompassing_problem(
         ..context.options.fit
     };
     let fixed = fixed_parameters(encompassing, &[]);
-    let body = CompiledModel::specialized(&encompassing.model, &fixed);
-    let mut problem = FitProblem::with_body(&encompassing.model, body, context.dataset, &options)?;
+    let model = &encompassing.model;
+    let mut problem = FitProblem::with_body(model, context.dataset, &options, |_| {
+        CompiledModel::specialized(model, &fixed)
+    })?;
     problem.take_scales(fit.problem());
     Ok(problem)
 }

@@ -16,7 +16,7 @@ const MIN_SCORE: f64 = 4.0;
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
 /// Relative damping of the elimination of local parameters.
-const DAMPING: f64 = 1e-12;
+pub(crate) const DAMPING: f64 = 1e-12;
 
 impl ScoreTestModel<'_> {
     /// Estimates the noise and marks outliers after one linearized step: nuisance parameters, with those of

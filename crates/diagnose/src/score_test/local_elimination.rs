@@ -163,28 +163,10 @@ pub(crate) fn keep_directions(block: &NormalBlock, local: &[LocalId]) -> NormalB
 /// Restricts normal equations to `local` and `promoted`, which become the first global columns.
 fn promote_directions(block: &NormalBlock, local: &[LocalId], promoted: &[LocalId]) -> NormalBlock {
     let (locals, globals) = (block.local.nrows(), block.global.nrows());
-    let at = |i: usize, j: usize| match (i.checked_sub(locals), j.checked_sub(locals)) {
-        (None, None) => block.local[(i, j)],
-        (None, Some(j)) => block.cross[(i, j)],
-        (Some(i), None) => block.cross[(j, i)],
-        (Some(i), Some(j)) => block.global[(i, j)],
-    };
-    let gradient = |i: usize| match i.checked_sub(locals) {
-        None => block.local_gradient[i],
-        Some(i) => block.global_gradient[i],
-    };
     let indices = |ids: &[LocalId]| ids.iter().map(|id| id.index()).collect::<Vec<_>>();
     let (local, mut global) = (indices(local), indices(promoted));
     global.extend(locals..locals + globals);
-    let (l, g) = (local.len(), global.len());
-    NormalBlock {
-        local: DMatrix::from_fn(l, l, |i, j| at(local[i], local[j])),
-        cross: DMatrix::from_fn(l, g, |i, j| at(local[i], global[j])),
-        global: DMatrix::from_fn(g, g, |i, j| at(global[i], global[j])),
-        local_gradient: DVector::from_fn(l, |i, _| gradient(local[i])),
-        global_gradient: DVector::from_fn(g, |i, _| gradient(global[i])),
-        ..*block
-    }
+    block.select(&local, &global)
 }
 
 #[cfg(test)]

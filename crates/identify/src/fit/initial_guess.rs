@@ -12,6 +12,7 @@ use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
+use crate::noise::overall;
 use crate::noise_floor::{median_noise_floor, noise_floor, path_noise};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
@@ -40,11 +41,6 @@ const KEPT: usize = 5;
 
 /// Relative difference of sums of squares, and of states, below which two guesses are refined to the same one.
 const SAME_GUESS: f64 = 1e-3;
-
-/// Root mean square of the standard deviations `sigma` along the three axes.
-pub fn overall(sigma: [f64; 3]) -> f64 {
-    (sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
-}
 
 /// Observations of the flights that can be fitted, excluded flights, and noise estimates.
 pub struct ObservedFlights {

@@ -51,7 +51,7 @@ use crate::error::{DataFault, ExcludedFlight, FaultKind, FitError, FlightError};
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::least_squares::SolveError;
-use crate::noise::NoiseModel;
+use crate::noise::{NoiseModel, overall};
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::predict::FlightAt;
@@ -221,7 +221,7 @@ impl Task<'_> {
             predicted_changes::without_predicted(&problem, flights, contacts, observed, options);
         initial_guess::set_noise(&mut problem, &observed, summaries.observations());
         let noise_floor = observed.noise_floor;
-        let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
+        let floor_m = noise_floor.map(overall).or(observed.sigma0);
         let (mut state, (mut cache, mut predicted_reduction)) = match fitted.is_empty() {
             true => (
                 State::new(&problem, options, problem.model_values(), 1.0),

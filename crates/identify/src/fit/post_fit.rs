@@ -119,7 +119,7 @@ pub fn post_fit(
 
 /// Measured and predicted values of a flight, for figures; `None` if its trajectory cannot be computed.
 pub fn evidence(at: FlightAt<'_>) -> Option<FlightEvidence> {
-    let (problem, observations, samples) = (at.problem, at.observations, at.samples);
+    let (problem, observations) = (at.problem, at.observations);
     // What summaries tell is no motion over time.
     if observations.is_summary {
         return None;
@@ -131,75 +131,63 @@ pub fn evidence(at: FlightAt<'_>) -> Option<FlightEvidence> {
     let bound = problem.body.bind(parameters);
     let mut observer = bound.observer();
     let layout = problem.body.layout();
-    let channels = problem.channels.iter().enumerate();
-    let (positions, others): (Vec<_>, Vec<_>) = channels.partition(|(_, own)| own.is_position());
-    let sensors = others.into_iter().map(|(index, own)| SensorEvidence {
-        name: own.name.clone(),
-        channel: index,
-        unit: own.unit.to_owned(),
-        components: own.components,
-        measured: (0..samples).map(|k| observations.value(k, index)).collect(),
-        outlier: (0..samples)
-            .map(|k| observations.is_outlier(k, index))
-            .collect(),
-        residuals: Vec::new(),
+    let named = |channel: usize| problem.channels[channel].name.clone();
+    let (positions, others): (Vec<usize>, Vec<usize>) =
+        (0..problem.channels.len()).partition(|k| problem.channels[*k].is_position());
+    let sensors = others.into_iter().map(|channel| SensorEvidence {
+        name: named(channel),
+        channel,
+        unit: problem.channels[channel].unit.to_owned(),
+        components: problem.channels[channel].components,
+        ..SensorEvidence::default()
     });
-    let markers = positions.iter().map(|(_, own)| own.name.clone());
-    let positions: Vec<usize> = positions.iter().map(|(index, _)| *index).collect();
     let inputs: Vec<_> = observations.inputs.series().collect();
     let names = inputs.iter().map(|(id, _)| &layout.parameters[id.index()]);
-    let names: Vec<&String> = names.collect();
-    let unit = |name: &str| {
+    let unit = |name: &String| {
         let mut declared = problem.model.params.iter();
-        let declared = declared.find(|own| own.name == name);
+        let declared = declared.find(|own| own.name == *name);
         declared.map_or_else(String::new, |own| own.unit_text.clone())
     };
-    let values = |time: &f64| inputs.iter().map(|(_, series)| series.at(*time)).collect();
     let mut evidence = FlightEvidence {
         file: observations.file.clone(),
         role: observations.role,
-        markers: markers.collect(),
+        markers: positions.iter().map(|&channel| named(channel)).collect(),
         times: observations.times.clone(),
-        measured: table(samples, &positions, |k, c| observations.value(k, c)),
-        outlier: table(samples, &positions, |k, c| observations.is_outlier(k, c)),
         sensors: sensors.collect(),
-        predicted: Vec::new(),
         state_names: layout.states.clone(),
-        states: Vec::new(),
         quantity_names: layout.quantities.clone(),
-        quantities: Vec::new(),
-        input_names: names.iter().map(|name| (*name).clone()).collect(),
-        input_units: names.iter().map(|name| unit(name)).collect(),
-        inputs: observations.times.iter().map(values).collect(),
+        input_names: names.clone().cloned().collect(),
+        input_units: names.map(unit).collect(),
+        ..FlightEvidence::default()
     };
     for (sample, time, state) in observations.along(&trajectory) {
         let mut residual = |channel: usize, measured: [f64; 3]| {
             let residual = observers.residual(time, state, channel, measured);
             residual.map(|residual| residual / problem.channels[channel].scale)
         };
+        let value = |channel: usize| observations.value(sample, channel);
+        let is_outlier = |channel: usize| observations.is_outlier(sample, channel);
+        let places = positions.iter().copied();
+        evidence.measured.push(places.clone().map(value).collect());
+        evidence
+            .outlier
+            .push(places.clone().map(is_outlier).collect());
         // The residual of a measured value 0 is the predicted value.
-        let predicted = positions.iter().map(|&own| residual(own, [0.0; 3]));
+        let predicted = places.map(|own| residual(own, [0.0; 3]));
         evidence.predicted.push(predicted.collect());
         for sensor in &mut evidence.sensors {
-            let measured = observations.value(sample, sensor.channel);
+            let measured = value(sensor.channel);
             let residual = measured.map(|seen| residual(sensor.channel, seen).map(|own| -own));
+            sensor.measured.push(measured);
+            sensor.outlier.push(is_outlier(sensor.channel));
             sensor.residuals.push(residual);
         }
         evidence.quantities.push(observer.quantities(time, state));
         evidence.states.push(state.to_vec());
+        let inputs = inputs.iter().map(|(_, series)| series.at(time));
+        evidence.inputs.push(inputs.collect());
     }
     Some(evidence)
-}
-
-/// What `of` returns for each sample (row) and each of `channels`.
-fn table<T>(samples: usize, channels: &[usize], of: impl Fn(usize, usize) -> T) -> Vec<Vec<T>> {
-    let row = |sample: usize| {
-        channels
-            .iter()
-            .map(|&channel| of(sample, channel))
-            .collect()
-    };
-    (0..samples).map(row).collect()
 }
 
 #[cfg(test)]

@@ -7,12 +7,13 @@ use model_spec::model::{ExprKind, Function, Model};
 
 use super::FitError;
 use super::converged;
-use super::initial_guess::{self, ObservedFlights, observe, overall};
+use super::initial_guess::{self, ObservedFlights, observe};
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::levels::{ROBUST_ERROR, ROUGHLY_NOISE, SIGNIFICANT};
+use crate::noise::overall;
 use crate::options::FitOptions;
 use crate::predict::{Residuals, robust_scale};
 use crate::problem::FitProblem;

@@ -105,7 +105,11 @@ fn descend(
             break;
         }
         iterations += 1;
-        let Some(step) = at.step(problem, damping) else {
+        let Some(Step {
+            candidate,
+            predicted_reduction,
+        }) = at.step(problem, damping)
+        else {
             if damping >= MAX_DAMPING {
                 stop_reason = StopReason::NoDescent;
                 break;
@@ -113,10 +117,6 @@ fn descend(
             damping *= 10.0;
             continue;
         };
-        let Step {
-            candidate,
-            predicted_reduction,
-        } = step;
         if criteria.is_reached(predicted_reduction, previous, at.squares) {
             at.iterate = candidate;
             at.squares -= predicted_reduction;
@@ -344,13 +344,13 @@ fn undamped_steps(
             return (None, steps);
         }
         let at = reached.as_mut().unwrap_or(start);
-        let Some(step) = at.step(problem, INITIAL_DAMPING) else {
-            return (None, steps);
-        };
-        let Step {
+        let Some(Step {
             candidate,
             predicted_reduction,
-        } = step;
+        }) = at.step(problem, INITIAL_DAMPING)
+        else {
+            return (None, steps);
+        };
         let is_at_minimum = criteria.is_reached(predicted_reduction, None, at.squares);
         if is_at_minimum || at.squares - predicted_reduction >= squares_at_start {
             return (None, steps);

@@ -4,7 +4,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::scaled_cholesky::ScaledCholesky;
-use crate::ids::{GlobalId, LocalId};
 
 /// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, in blocks of local parameters and global parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,16 +65,27 @@ impl NormalBlock {
         ScaledCholesky::independent(&self.local, 0.0).is_some()
     }
 
-    /// Normal equations if only the listed unknowns are estimated, in the given order.
-    pub fn select(&self, local: &[LocalId], global: &[GlobalId]) -> NormalBlock {
-        let (l, g) = (|i: usize| local[i].index(), |i: usize| global[i].index());
-        let (locals, globals) = (local.len(), global.len());
+    /// Normal equations if only the listed unknowns are estimated, in the given order and as local or global ones. Places
+    /// count the local parameters, then the global ones.
+    pub fn select(&self, local: &[usize], global: &[usize]) -> NormalBlock {
+        let locals = self.local.nrows();
+        let at = |i: usize, j: usize| match (i.checked_sub(locals), j.checked_sub(locals)) {
+            (None, None) => self.local[(i, j)],
+            (None, Some(j)) => self.cross[(i, j)],
+            (Some(i), None) => self.cross[(j, i)],
+            (Some(i), Some(j)) => self.global[(i, j)],
+        };
+        let gradient = |i: usize| match i.checked_sub(locals) {
+            None => self.local_gradient[i],
+            Some(i) => self.global_gradient[i],
+        };
+        let (l, g) = (local.len(), global.len());
         NormalBlock {
-            local: DMatrix::from_fn(locals, locals, |i, j| self.local[(l(i), l(j))]),
-            cross: DMatrix::from_fn(locals, globals, |i, j| self.cross[(l(i), g(j))]),
-            global: DMatrix::from_fn(globals, globals, |i, j| self.global[(g(i), g(j))]),
-            local_gradient: DVector::from_fn(locals, |i, _| self.local_gradient[l(i)]),
-            global_gradient: DVector::from_fn(globals, |i, _| self.global_gradient[g(i)]),
+            local: DMatrix::from_fn(l, l, |i, j| at(local[i], local[j])),
+            cross: DMatrix::from_fn(l, g, |i, j| at(local[i], global[j])),
+            global: DMatrix::from_fn(g, g, |i, j| at(global[i], global[j])),
+            local_gradient: DVector::from_fn(l, |i, _| gradient(local[i])),
+            global_gradient: DVector::from_fn(g, |i, _| gradient(global[i])),
             ..*self
         }
     }
@@ -306,8 +316,7 @@ mod tests {
     #[test]
     fn selection_gives_the_blocks_of_the_same_rows() {
         let (blocks, ..) = example();
-        let (l, g) = (LocalId::new, GlobalId::new);
-        let selected = blocks[0].select(&[l(1)], &[g(1), g(0)]);
+        let selected = blocks[0].select(&[1], &[3, 2]);
         assert_eq!(selected.local[(0, 0)], blocks[0].local[(1, 1)]);
         assert_eq!(selected.cross[(0, 0)], blocks[0].cross[(1, 1)]);
         assert_eq!(selected.global[(0, 1)], blocks[0].global[(1, 0)]);

@@ -1,14 +1,13 @@
 use nalgebra::DVector;
 
 use super::*;
-use crate::ids::LocalId;
 
 /// Returns the part of the normal equations `block` that belongs to the unknowns `by`. The problem has one local and
 /// one global parameter.
 fn of(block: NormalBlock, by: Unknowns) -> NormalBlock {
     match by {
         Unknowns::All => block,
-        Unknowns::Local => block.select(&[LocalId::new(0)], &[]),
+        Unknowns::Local => block.select(&[0], &[]),
     }
 }
 

@@ -247,7 +247,7 @@ fn derive(of: SummaryValue, at: &AtEvent, scale: f64, rows: &mut [Vec<f64>; 3]) 
     } else {
         let by = value(of, &at.vectors).by;
         let all = at.rows.iter().flatten();
-        for (row, weight) in all.zip(by).filter(|(_, weight)| *weight != 0.0) {
+        for (row, weight) in all.zip(&by).filter(|(_, weight)| **weight != 0.0) {
             for (to, from) in first.iter_mut().zip(row) {
                 *to += scale * weight * from;
             }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use dataset::Role;
 
 /// Measured and predicted values of one flight at its samples.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FlightEvidence {
     /// File name of the flight.
     pub file: String,

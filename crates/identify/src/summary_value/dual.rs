@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use nalgebra::SVector;
+
 /// Number of components of the vectors of a motion: six vectors.
 pub const COMPONENTS: usize = 18;
 
@@ -9,18 +11,18 @@ pub const COMPONENTS: usize = 18;
 #[derive(Clone, Copy, Debug)]
 pub struct Dual {
     pub value: f64,
-    pub by: [f64; COMPONENTS],
+    pub by: SVector<f64, COMPONENTS>,
 }
 
 impl Dual {
     pub const ZERO: Self = Self {
         value: 0.0,
-        by: [0.0; COMPONENTS],
+        by: SVector::from_array_storage(nalgebra::ArrayStorage([[0.0; COMPONENTS]])),
     };
 
     /// The component `place` of the motion.
     pub fn variable(value: f64, place: usize) -> Self {
-        let mut by = [0.0; COMPONENTS];
+        let mut by = SVector::zeros();
         by[place] = 1.0;
         Self { value, by }
     }
@@ -29,8 +31,13 @@ impl Dual {
     fn through(self, value: f64, slope: f64) -> Self {
         Self {
             value,
-            by: self.by.map(|by| slope * by),
+            by: slope * self.by,
         }
+    }
+
+    /// The number times a constant.
+    pub fn times(self, factor: f64) -> Self {
+        self.through(factor * self.value, factor)
     }
 
     /// Square root; its derivative is 0 at 0.
@@ -43,22 +50,17 @@ impl Dual {
     pub fn atan2(self, x: Self) -> Self {
         let squares = self.value * self.value + x.value * x.value;
         let part = if squares > 0.0 { 1.0 / squares } else { 0.0 };
-        let mut by = [0.0; COMPONENTS];
-        for (k, by) in by.iter_mut().enumerate() {
-            *by = part * (x.value * self.by[k] - self.value * x.by[k]);
-        }
         Self {
             value: self.value.atan2(x.value),
-            by,
+            by: part * (x.value * self.by - self.value * x.by),
         }
     }
 
     fn with(self, other: Self, value: f64, (own, others): (f64, f64)) -> Self {
-        let mut by = [0.0; COMPONENTS];
-        for (k, by) in by.iter_mut().enumerate() {
-            *by = own * self.by[k] + others * other.by[k];
+        Self {
+            value,
+            by: own * self.by + others * other.by,
         }
-        Self { value, by }
     }
 }
 

@@ -110,11 +110,9 @@ impl Motion {
     fn wobble(&self) -> [Dual; 2] {
         let along = self.momentum.dot(self.axis);
         let sign = if along.value < 0.0 { -1.0 } else { 1.0 };
-        let signed = |of: Dual| Dual {
-            value: sign * of.value,
-            by: of.by.map(|by| sign * by),
-        };
-        self.ahead_and_left()
-            .map(|axis| signed(self.momentum.dot(axis)).atan2(signed(along)))
+        self.ahead_and_left().map(|axis| {
+            let across = self.momentum.dot(axis).times(sign);
+            across.atan2(along.times(sign))
+        })
     }
 }
