@@ -28,6 +28,7 @@ mod problem;
 mod report;
 mod rounding;
 mod screening;
+mod seen_path;
 mod state_manifold;
 mod summary;
 mod summary_value;

@@ -11,7 +11,8 @@ use nalgebra::{Matrix4, Vector3, Vector4};
 use crate::levels::{MAX_GAP, NEIGHBOURS as SIDE, OUTLIER_VARIANCE};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use dataset::pose::{Pose, point_position};
+use crate::seen_path::seen_path;
+use dataset::pose::Pose;
 use dataset::statistics::{median_of, median_vector, robust_sigma};
 
 /// Maximum and minimum number of samples of one flight that are compared; longer flights are subsampled.
@@ -66,30 +67,18 @@ fn track(
     // A sample whose marker distances differ much from the rigid body contains an outlier.
     let usual = median_of(poses.iter().flatten().map(Pose::variance));
     let limit = OUTLIER_VARIANCE * usual.unwrap_or(0.0);
-    let samples = observations.times.iter().enumerate();
-    samples
-        .filter_map(|(sample, &time)| match problem.has_attitude {
-            true => {
-                let pose = poses.get(sample)?.as_ref()?;
-                if pose.variance() > limit {
-                    return None;
-                }
-                Some(TrackPoint {
-                    time,
-                    position: pose.position,
-                    markers: pose.markers as f64,
-                })
-            }
-            false => {
-                let points = observations.points(sample);
-                Some(TrackPoint {
-                    time,
-                    position: point_position(&problem.markers, points)?,
-                    markers: points.iter().flatten().count() as f64,
-                })
-            }
-        })
-        .collect()
+    let points = |sample: usize| observations.points(sample);
+    let seen = seen_path(problem, &observations.times, points, |k| *poses.get(k)?);
+    let rigid = seen.filter(|own| own.variance() <= limit);
+    let each = rigid.map(|own| TrackPoint {
+        time: own.time,
+        position: own.position,
+        markers: match own.pose {
+            Some(pose) => pose.markers as f64,
+            None => points(own.sample).iter().flatten().count() as f64,
+        },
+    });
+    each.collect()
 }
 
 /// Weights of the neighbours' positions whose sum is the cubic in time at the sample.

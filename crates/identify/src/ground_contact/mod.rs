@@ -11,7 +11,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 use crate::levels::OUTLIER_VARIANCE;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use dataset::pose::{Pose, point_position};
+use crate::seen_path::seen_path;
+use dataset::pose::Pose;
 use dataset::statistics::median_of;
 
 /// Least threshold of the residual variance of a pose, m².
@@ -94,31 +95,27 @@ fn contact_of(
     poses: &[Option<Pose>],
 ) -> Option<Contact> {
     let points = |sample: usize| observations.points(sample);
-    let of_point_mass = (!problem.has_attitude).then_some(&problem.markers[..]);
-    first_change(&path(&observations.times, poses, of_point_mass, &points))
+    first_change(&path(problem, &observations.times, poses, points))
 }
 
-/// Path of the body's origin, from poses; for a point mass, from its measured markers, whose positions on it are in
-/// `of_point_mass`. `points` returns the measured positions in a sample.
+/// Path of the body's origin, from poses; for a point mass, from its markers. `points` returns the measured positions in a
+/// sample.
 pub fn path<'p>(
+    problem: &FitProblem,
     times: &[f64],
     poses: &[Option<Pose>],
-    of_point_mass: Option<&[[f64; 3]]>,
-    points: &dyn Fn(usize) -> &'p [Option<[f64; 3]>],
+    points: impl Fn(usize) -> &'p [Option<[f64; 3]>],
 ) -> Vec<PathPoint> {
     let limit = variance_limit(poses.iter().flatten().map(Pose::variance));
-    let each = times.iter().enumerate().filter_map(|(sample, &time)| {
-        let pose = poses.get(sample).copied().flatten();
-        let rigid = pose.filter(|pose| pose.variance() <= limit);
-        Some(PathPoint {
-            sample,
-            time,
-            position: match of_point_mass {
-                Some(markers) => point_position(markers, points(sample))?,
-                None => pose?.position,
-            },
+    let pose = |sample: usize| *poses.get(sample)?;
+    let each = seen_path(problem, times, points, pose).map(|seen| {
+        let rigid = seen.pose.filter(|pose| pose.variance() <= limit);
+        PathPoint {
+            sample: seen.sample,
+            time: seen.time,
+            position: seen.position,
             attitude: rigid.map(|pose| pose.attitude),
-        })
+        }
     });
     each.collect()
 }

@@ -6,7 +6,8 @@ use crate::error::FlightError;
 use crate::levels::{OUTLIER_VARIANCE, UNLIKE};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use dataset::pose::{Pose, point_position, pose};
+use crate::seen_path::{Seen, seen_path};
+use dataset::pose::{Pose, pose};
 use dataset::statistics::{median, median_of, median_vector, robust_sigma};
 use flight::moore_penrose;
 
@@ -44,42 +45,17 @@ const MAX_SAMPLES: usize = 16;
 /// Maximum time between two poses from which an angular velocity is computed, in sampling intervals.
 const MAX_GAP: f64 = 3.5;
 
-/// Measured position and attitude of a body in one sample.
-struct MeasuredFrame {
-    time: f64,
-    position: Vector3<f64>,
-    attitude: Option<UnitQuaternion<f64>>,
-    /// Variance of a marker coordinate about the fitted rigid body, m²; 0 for a point mass.
-    variance: f64,
-}
-
-/// The first samples, at most `most`, in which a pose or the position of a point mass is measured.
-fn measured_frames(
-    problem: &FitProblem,
-    observations: &Observations,
-    most: usize,
-) -> Vec<MeasuredFrame> {
-    let rows = (0..observations.times.len()).filter_map(|sample| {
-        // Times of an arc do not start at 0.
-        let time = observations.times[sample] - observations.times[0];
-        let row = observations.points(sample);
-        if problem.has_attitude {
-            let pose = pose(&problem.markers, row)?;
-            return Some(MeasuredFrame {
-                time,
-                position: pose.position,
-                attitude: Some(pose.attitude),
-                variance: pose.variance(),
-            });
-        }
-        Some(MeasuredFrame {
-            time,
-            position: point_position(&problem.markers, row)?,
-            attitude: None,
-            variance: 0.0,
-        })
-    });
-    rows.take(most).collect()
+/// The first samples, at most `most`, in which a pose or the position of a point mass is measured; times from the first on.
+fn first_seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<Seen> {
+    let points = |sample: usize| observations.points(sample);
+    let pose = |sample: usize| pose(&problem.markers, points(sample));
+    let seen = seen_path(problem, &observations.times, points, pose).take(most);
+    // Times of an arc do not start at 0.
+    let since = |own: Seen| Seen {
+        time: own.time - observations.times[0],
+        ..own
+    };
+    seen.map(since).collect()
 }
 
 /// Maximum number of samples of a flight from which the initial noise estimate is computed.
@@ -98,7 +74,7 @@ pub fn sigma0(
         // The median of χ² with 3 degrees of freedom is 2.366.
         return (squares.len() >= 3).then(|| (median(&mut squares) * 3.0 / 2.366).sqrt());
     }
-    let seen = measured_frames(problem, observations, MAX_NOISE_SAMPLES);
+    let seen = first_seen(problem, observations, MAX_NOISE_SAMPLES);
     // Third differences of a smooth path are far below the noise, whose variance they multiply by 20.
     let mut rough: Vec<f64> = seen
         .windows(4)
@@ -115,7 +91,7 @@ pub fn first_motion(
     problem: &FitProblem,
     observations: &Observations,
 ) -> Result<RigidMotion, FlightError> {
-    let mut seen = measured_frames(problem, observations, MAX_SAMPLES);
+    let mut seen = first_seen(problem, observations, MAX_SAMPLES);
     let least = if problem.has_attitude { 3 } else { 4 };
     if seen.len() < least {
         let (found, needed) = (seen.len(), least);
@@ -125,9 +101,9 @@ pub fn first_motion(
         });
     }
     // A sample whose marker distances differ much from the rigid body contains an outlier.
-    let usual = median_of(seen.iter().map(|frame| frame.variance));
+    let usual = median_of(seen.iter().map(Seen::variance));
     let limit = OUTLIER_VARIANCE * usual.unwrap_or(0.0);
-    let is_rigid = |frame: &MeasuredFrame| frame.variance <= limit;
+    let is_rigid = |own: &Seen| own.variance() <= limit;
     if seen.iter().filter(|frame| is_rigid(frame)).count() >= least {
         seen.retain(is_rigid);
     }
@@ -150,14 +126,14 @@ pub fn first_motion(
 const REFITS: (usize, usize) = (2, 4);
 
 /// Position, m, and velocity, m/s, at time 0 of the least-squares parabola through the positions, without outliers.
-fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
-    let mut kept: Vec<&MeasuredFrame> = seen.iter().collect();
+fn path(seen: &[Seen]) -> (Vector3<f64>, Vector3<f64>) {
+    let mut kept: Vec<&Seen> = seen.iter().collect();
     let mut parabola = Parabola::through(&kept);
     for _ in 0..REFITS.0 {
         let limit = UNLIKE * UNLIKE * median(&mut parabola.squares.clone());
         let distances = kept.iter().zip(&parabola.squares);
         let near = distances.filter(|(_, squares)| **squares <= limit);
-        let near: Vec<&MeasuredFrame> = near.map(|(frame, _)| *frame).collect();
+        let near: Vec<&Seen> = near.map(|(frame, _)| *frame).collect();
         if near.len() == kept.len() || near.len() < REFITS.1 {
             break;
         }
@@ -179,7 +155,7 @@ struct Parabola {
 
 impl Parabola {
     /// Fits a parabola in time to the measured positions, or a polynomial of lower order if there are fewer than three.
-    fn through(frames: &[&MeasuredFrame]) -> Self {
+    fn through(frames: &[&Seen]) -> Self {
         let powers = frames.len().min(3);
         let design = DMatrix::from_fn(frames.len(), powers, |row, power| {
             frames[row].time.powi(power as i32)
@@ -206,9 +182,9 @@ impl Parabola {
 }
 
 /// Angular velocity, inertial, rad/s: median over successive poses, which nutation and outliers hardly change.
-fn rates(seen: &[MeasuredFrame]) -> Result<Vector3<f64>, FlightError> {
+fn rates(seen: &[Seen]) -> Result<Vector3<f64>, FlightError> {
     let turns = seen.windows(2).filter_map(|pair| {
-        let turn = pair[1].attitude? * pair[0].attitude?.inverse();
+        let turn = pair[1].pose?.attitude * pair[0].pose?.attitude.inverse();
         Some((pair[1].time - pair[0].time, turn.scaled_axis()))
     });
     let turns: Vec<(f64, Vector3<f64>)> = turns.collect();
@@ -221,11 +197,11 @@ fn rates(seen: &[MeasuredFrame]) -> Result<Vector3<f64>, FlightError> {
 }
 
 /// Attitude at time 0: of the first poses, rotated back with `rates`, rad/s, the one nearest to the others.
-fn attitude(seen: &[MeasuredFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
+fn attitude(seen: &[Seen], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
     const FIRST: usize = 5;
-    let back = |seen: &MeasuredFrame| {
+    let back = |seen: &Seen| {
         let turned = UnitQuaternion::from_scaled_axis(-rates * seen.time);
-        seen.attitude.map(|attitude| turned * attitude)
+        Some(turned * seen.pose?.attitude)
     };
     let all: Vec<UnitQuaternion<f64>> = seen.iter().take(FIRST).filter_map(back).collect();
     let distance =

@@ -64,14 +64,12 @@ impl Track {
     /// Path of the body's origin, from its poses or the markers of a point mass, and the poses.
     pub fn of(problem: &FitProblem, flight: &Flight) -> (Self, Vec<Option<Pose>>) {
         let rows = pose_points(problem, flight);
-        let markers = &problem.markers[..];
         let has_attitude = problem.has_attitude;
         let poses: Vec<Option<Pose>> = match has_attitude {
-            true => rows.iter().map(|row| pose(markers, row)).collect(),
+            true => rows.iter().map(|row| pose(&problem.markers, row)).collect(),
             false => Vec::new(),
         };
-        let of_point_mass = (!has_attitude).then_some(markers);
-        let mut points = ground_contact::path(&flight.times, &poses, of_point_mass, &|k| &rows[k]);
+        let mut points = ground_contact::path(problem, &flight.times, &poses, |k| &rows[k]);
         // Poses that contain outliers are not on the path.
         points.retain(|point| point.attitude.is_some() == has_attitude);
         (Self::through(points), poses)
