@@ -45,20 +45,6 @@ pub fn diagnose(
     dataset: &Dataset,
     options: &DiagnosisOptions<'_>,
 ) -> Result<Diagnosis, DiagnosisError> {
-    diagnose_with(model, dataset, options, |_| ()).map(|(diagnosis, _)| diagnosis)
-}
-
-/// [`diagnose`] that calls `on_extension` with the extended model, if any, while its gain is measured, and returns its
-/// result.
-///
-/// # Errors
-/// The errors of [`diagnose`].
-pub fn diagnose_with<R: Send>(
-    model: &Model,
-    dataset: &Dataset,
-    options: &DiagnosisOptions<'_>,
-    on_extension: impl Fn(&ExtendedModel) -> R + Sync,
-) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
     options.validate(model)?;
     let started = Instant::now();
     // Effects on sensor readings need the quantities that the instruments measure.
@@ -94,13 +80,13 @@ pub fn diagnose_with<R: Send>(
     };
     let analysis = Analysis::new(context, base)?;
     if let Some(discordant) = &analysis.discordant
-        && let Some(mut done) = without_discordant(context, discordant, &on_extension)?
+        && let Some(mut done) = without_discordant(context, discordant)?
     {
         let total = started.elapsed().as_secs_f64();
-        done.0.report.seconds.insert("total".to_owned(), total);
+        done.report.seconds.insert("total".to_owned(), total);
         return Ok(done);
     }
-    analysis.finish(&on_extension)
+    analysis.finish()
 }
 
 /// Discordant flights: they contradict the explanation that holds for all other flights.
@@ -110,11 +96,10 @@ struct Discordant {
 }
 
 /// Repeats a diagnosis without the discordant flights; `None` if nothing explains the others.
-fn without_discordant<R: Send>(
+fn without_discordant(
     context: Context<'_>,
     discordant: &Discordant,
-    on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
-) -> Result<Option<(Diagnosis, Option<R>)>, DiagnosisError> {
+) -> Result<Option<Diagnosis>, DiagnosisError> {
     let mut concordant = context.dataset.clone();
     let flights = &mut concordant.flights;
     flights.retain(|flight| !discordant.files.contains(&flight.file));
@@ -127,8 +112,8 @@ fn without_discordant<R: Send>(
         ..context
     };
     let base = BaseFit::new(context)?;
-    let mut found = Analysis::new(context, base)?.finish(on_extension)?;
-    let report = &mut found.0.report;
+    let mut found = Analysis::new(context, base)?.finish()?;
+    let report = &mut found.report;
     if report.verdict == Verdict::Unattributed || report.explanations.is_empty() {
         return Ok(None);
     }

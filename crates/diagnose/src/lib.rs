@@ -50,7 +50,7 @@ mod test_support;
 
 // Running a diagnosis.
 pub use context::{DiagnosisOptions, OptionsError, ThrowRanges, identifier};
-pub use diagnosis::{Diagnosis, diagnose, diagnose_with};
+pub use diagnosis::{Diagnosis, diagnose};
 pub use error::DiagnosisError;
 pub use extension::ExtendedModel;
 pub use validation::held_out_gain;

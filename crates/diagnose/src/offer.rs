@@ -9,38 +9,31 @@ use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::report::{self, Report};
 use crate::validation::{ApplyTo, ChosenExtension, PredictiveGain, cross_validate, gain_of_fits};
-use flight::parallel::join;
 use identify::LackOfFit;
 
 /// An extended model with its fit and its out-of-sample gain.
-pub(crate) struct MeasuredExtension<R> {
+pub(crate) struct MeasuredExtension {
     extension: ExtendedModel,
     fit: Fit,
     gain: Option<PredictiveGain>,
     chi2_decrease: f64,
     /// Held-out flights that are predicted without the added effects, which their first samples contradict.
     not_applied: Vec<usize>,
-    callback_result: R,
 }
 
-/// An extended model and its fit, with the result of the caller's function `on_extension` for the extended model.
-pub(crate) type OfferedExtension<R> = ((ExtendedModel, Fit), R);
-
-/// Fits the extended model, measures its gain, and calls `on_extension`. If `is_consensus`, flights that contradict the
+/// Fits the extended model and measures its gain. If `is_consensus`, flights that contradict the
 /// effects are predicted without them. `noise_floor` is that of a coordinate, m.
-pub(crate) fn measure<R: Send>(
+pub(crate) fn measure(
     context: Context<'_>,
     before: &Fit,
     chosen: ChosenExtension,
     (is_consensus, noise_floor): (bool, f64),
-    on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
-) -> Result<MeasuredExtension<R>, DiagnosisError> {
+) -> Result<MeasuredExtension, DiagnosisError> {
     let Context {
         model,
         dataset,
         options,
     } = context;
-    let threads = options.fit.threads();
     let apply_to = match is_consensus {
         true => ApplyTo::ConcordantFlights,
         false => ApplyTo::AllFlights,
@@ -52,13 +45,10 @@ pub(crate) fn measure<R: Send>(
         gain: known_gain,
         chi2_decrease,
     } = chosen;
-    // The caller's result and the fit are independent of one another.
-    let (callback_result, after) = join(
-        threads,
-        || on_extension(&extension),
-        || known_fit.map_or_else(|| fit(&extension.model, dataset, &options.fit), Ok),
-    );
-    let fit = after?;
+    let fit = match known_fit {
+        Some(known) => known,
+        None => fit(&extension.model, dataset, &options.fit)?,
+    };
     let (mut not_applied, mut gain) = (Vec::new(), known_gain);
     if has_held_out {
         not_applied = apply_to.exceptions(before, &fit);
@@ -73,11 +63,10 @@ pub(crate) fn measure<R: Send>(
         gain,
         chi2_decrease,
         not_applied,
-        callback_result,
     })
 }
 
-impl<R> MeasuredExtension<R> {
+impl MeasuredExtension {
     /// Why predictions speak against the added effects; `None` if they do not. Weak effects, which are not significant
     /// themselves, must improve the predictions of most flights.
     pub fn objection(&self, is_weak: bool) -> Option<&'static str> {
@@ -100,7 +89,7 @@ impl<R> MeasuredExtension<R> {
         report: &mut Report,
         before: &Fit,
         context: Context<'_>,
-    ) -> Option<OfferedExtension<R>> {
+    ) -> Option<(ExtendedModel, Fit)> {
         let is_worse = self.gain.as_ref().is_some_and(PredictiveGain::is_worse);
         report.predictive_gain = self.gain;
         if is_worse {
@@ -117,7 +106,7 @@ impl<R> MeasuredExtension<R> {
         report.curves = report::curves(context.model, &was, &is);
         let residuals = LackOfFit::with_missing_term(&fit, context.options.fit.threads());
         report::add_residuals(report, residuals.ok().flatten());
-        Some(((extension, fit), self.callback_result))
+        Some((extension, fit))
     }
 }
 

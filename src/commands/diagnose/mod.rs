@@ -1,6 +1,6 @@
 //! Command `hyzer diagnose`: tests a model for missing effects and extends the model.
 
-use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_with};
+use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose};
 use anyhow::Context;
 use codegen::generate::generate_with;
 use dataset::Dataset;
@@ -60,16 +60,17 @@ pub(super) fn run(options: &Diagnose) -> anyhow::Result<Answer> {
 /// Diagnoses a model, and verifies its extension.
 ///
 /// # Errors
-/// Those of [`diagnose_with`], or if the extended model is faulty.
+/// Those of [`diagnose`], or if the extended model is faulty.
 pub fn diagnosis(
     model: &Model,
     dataset: &Dataset,
     options: &DiagnosisOptions<'_>,
 ) -> anyhow::Result<Diagnosis> {
-    let (mut found, verified) = diagnose_with(model, dataset, options, |extension| {
-        verified(&extension.text(&note(&extension.effects, options.dataset)))
-    })?;
-    found.set_verified(verified.transpose()?);
+    let mut found = diagnose(model, dataset, options)?;
+    if let Some((extension, _)) = &found.after {
+        let text = extension.text(&note(&extension.effects, options.dataset));
+        found.set_verified(Some(verified(&text)?));
+    }
     found.report.notes.extend(overruled_by(model, dataset));
     Ok(found)
 }

@@ -5,7 +5,6 @@ use identify::{Fit, Iterate, leading_noise};
 use crate::base_fit::{BaseFit, Clock};
 use crate::context::{Context, ScoreTestModel};
 use crate::error::DiagnosisError;
-use crate::extension::ExtendedModel;
 use crate::noise::random_walk_loads;
 use crate::offer::measure;
 use crate::optimal_design::proposed_throw;
@@ -158,10 +157,7 @@ impl<'a> Analysis<'a> {
     }
 
     /// Validates the explanations, extends the model by the best one, and completes the report.
-    pub(super) fn finish<R: Send>(
-        mut self,
-        on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
-    ) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
+    pub(super) fn finish(mut self) -> Result<Diagnosis, DiagnosisError> {
         let (mut validated, refused) = self.validate_overflexible();
         self.notes.extend(refused);
         self.clock.record("search");
@@ -184,13 +180,7 @@ impl<'a> Analysis<'a> {
             let is_weak = is_candidate && self.is_weak();
             let applies = report.consensus.is_some();
             let noise = report.leading_noise().sigma;
-            let measured = measure(
-                context,
-                &self.before,
-                chosen,
-                (applies, noise),
-                on_extension,
-            );
+            let measured = measure(context, &self.before, chosen, (applies, noise));
             match measured.ok() {
                 Some(measured) if !is_candidate || measured.objection(is_weak).is_none() => {
                     break (report, Some(measured));
@@ -213,10 +203,8 @@ impl<'a> Analysis<'a> {
                 .notes
                 .extend(report::term_alone(&self.model, &self.search));
         }
-        let (mut after, mut made) = (None, None);
-        if let Some(measured) = measured {
-            (after, made) = measured.add_to(&mut report, &self.before, context).unzip();
-        }
+        let after =
+            measured.and_then(|measured| measured.add_to(&mut report, &self.before, context));
         if self.is_nearest_only && !self.search.accepted.is_empty() {
             report::withdraw_inadequate(&mut report);
         }
@@ -243,7 +231,7 @@ impl<'a> Analysis<'a> {
         };
         diagnosis.set_verified(None);
         context.options.fit.check_cancelled()?;
-        Ok((diagnosis, made))
+        Ok(diagnosis)
     }
 
     /// Whether neither a candidate nor an adequate hypothesis is significant itself: they only take the significance of a
@@ -368,7 +356,7 @@ mod tests {
         analysis.stepwise.as_mut().unwrap().squares = pair;
         assert!(analysis.alternative_terms().is_some());
 
-        let (diagnosis, _) = analysis.finish(&|_| ()).unwrap();
+        let diagnosis = analysis.finish().unwrap();
         let report = diagnosis.report;
         assert_eq!(report.verdict, Verdict::Ambiguous);
         let [first, second] = &report.explanations[..] else {
@@ -420,7 +408,7 @@ mod tests {
         analysis.search.at_base.thresholds.detect = of_candidate + 0.01;
         assert!(!analysis.is_weak());
         analysis.search.at_base.thresholds.detect = detect;
-        analysis.finish(&|_| ()).unwrap().0.report
+        analysis.finish().unwrap().report
     }
 
     #[test]
