@@ -55,7 +55,7 @@ fn contacts(
             let changed = Observations::new(&problem, &change(index, flight)).unwrap();
             let guesses = crate::initial_state::initial_guesses(&problem, &changed).unwrap();
             let start = guesses[0].state.clone();
-            let fitted = at.fit_initial_state(&changed, SHOWN, start);
+            let fitted = at.flight(&changed).first(SHOWN).fit(start);
             let (_, local) = fitted.unwrap();
             let end = changed.times.len();
             let tried = SHOWN..end;

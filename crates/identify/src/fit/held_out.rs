@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::initial_guess::{observations_and_poses, refined_guesses};
 use super::outcome::{flight_report, initial_state_report, seen};
-use super::output_error::FixedGlobal;
+use super::output_error::{FixedGlobal, FlightAlone};
 use super::post_fit::{channel_sums, square_sums};
 use super::summaries::initial_state;
 use super::{FittedFlight, FlightResult, left_out};
@@ -124,13 +124,14 @@ fn predict(
         return Err(FlightError::NothingToPredict { samples });
     }
     let segment = observations.first_samples(samples);
-    let local = conditioned(at, &segment, start)?;
+    let local = conditioned(at.flight(&segment), start)?;
     let mask = outlier_mask(FlightAt::new(problem, &observations, (global, &local)))?;
     observations.outlier = mask;
     // Autocorrelation of few residuals may be model error; white noise is the safest assumption.
     let white = noise.uncorrelated();
     let (loss, criteria) = (Loss::Whitened(&white), StoppingCriteria::COARSE);
-    let (local, solution) = at.solve(&observations, samples, local, loss, criteria)?;
+    let first = at.flight(&observations).first(samples);
+    let (local, solution) = first.solve(local, loss, criteria)?;
     let residuals = FlightAt::new(problem, &observations, (global, &local)).residuals()?;
     predicted(
         problem,
@@ -168,22 +169,16 @@ fn predicted(
 }
 
 /// Initial state of a conditioning segment, fitted from `start`, or else from the best of the guesses by the samples.
-fn conditioned(
-    at: FixedGlobal<'_>,
-    segment: &Observations,
-    start: Start<'_>,
-) -> Result<DVector<f64>, FlightError> {
-    let fitted = |state: DVector<f64>| {
-        let fitted = at.fit_initial_state(segment, segment.times.len(), state);
-        fitted.map(|(_, state)| state)
-    };
+fn conditioned(segment: FlightAlone<'_>, start: Start<'_>) -> Result<DVector<f64>, FlightError> {
+    let fitted = |state: DVector<f64>| segment.fit(state).map(|(_, state)| state);
+    let observations = segment.observations;
     let start = start.filter(|(before, state)| {
-        before.origin == segment.origin && state.len() == segment.manifold.states()
+        before.origin == observations.origin && state.len() == observations.manifold.states()
     });
     if let Some(known) = start.and_then(|(_, state)| fitted(state.clone()).ok()) {
         return Ok(known);
     }
-    let guesses = refined_guesses(at, segment)?;
+    let guesses = refined_guesses(segment)?;
     let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
     let (_, guess) = best.ok_or(FlightError::NoMatchingState)?;
     fitted(guess.state)
@@ -206,7 +201,7 @@ fn predict_summary(
     }
     let start = initial_state(problem, &observations)?;
     let (loss, criteria) = (Loss::Whitened(noise), StoppingCriteria::COARSE);
-    let (local, solution) = at.solve(&release, 1, start, loss, criteria)?;
+    let (local, solution) = at.flight(&release).solve(start, loss, criteria)?;
     let mut residuals = FlightAt::new(problem, &observations, (global, &local)).residuals()?;
     for (series, at_release) in residuals.iter_mut().zip(&release.measured) {
         if at_release.is_some() {

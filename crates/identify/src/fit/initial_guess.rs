@@ -4,7 +4,7 @@ use flight::parallel;
 use model_spec::sort_by_number;
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::output_error::FixedGlobal;
+use super::output_error::FlightAlone;
 use super::state::State;
 use super::{FitError, marker_noise};
 use crate::channel::{Channel, ChannelKind};
@@ -133,7 +133,7 @@ pub fn from_guesses<'a>(
     let mut state = State::new(problem, options, problem.model_values(), interval);
     let at = state.fixed_global();
     let found = options.each_flight("starts", usable.len(), |index| {
-        refined_guesses(at, &usable[index].1)
+        refined_guesses(at.flight(&usable[index].1))
     });
     for ((flight, observations), found) in usable.into_iter().zip(found) {
         match found {
@@ -185,20 +185,17 @@ pub fn observations_and_poses(
 
 /// Guesses of the initial state, refined by a fit to the first segment, each with its sum of squares; the slowest spin
 /// first, or without measured positions the smallest sum of squares. Past the deadline, they are not refined.
-pub fn refined_guesses(
-    at: FixedGlobal<'_>,
-    observations: &Observations,
-) -> Result<Vec<(f64, InitialGuess)>, FlightError> {
-    let problem = at.problem;
-    let samples = first_segment(observations);
+pub fn refined_guesses(flight: FlightAlone<'_>) -> Result<Vec<(f64, InitialGuess)>, FlightError> {
+    let (problem, observations) = (flight.at.problem, flight.observations);
+    let segment = flight.first(first_segment(observations));
     let mut refined = Vec::new();
     let mut failure = FlightError::NoMatchingState;
     for guess in initial_state::initial_guesses(problem, observations)? {
-        if at.options.is_past_deadline() {
+        if flight.at.options.is_past_deadline() {
             refined.push((f64::INFINITY, guess));
             continue;
         }
-        match at.fit_initial_state(observations, samples, guess.state.clone()) {
+        match segment.fit(guess.state.clone()) {
             Ok((squares, state)) => refined.push((squares, InitialGuess { state, ..guess })),
             Err(reason) => failure = reason,
         }

@@ -122,6 +122,11 @@ pub struct FixedGlobal<'a> {
 }
 
 impl State<'_> {
+    /// A flight at the present global parameters.
+    pub fn alone(&self, flight: usize) -> FlightAlone<'_> {
+        self.fixed_global().flight(&self.flights[flight])
+    }
+
     /// The present global parameters, held fixed.
     pub fn fixed_global(&self) -> FixedGlobal<'_> {
         FixedGlobal {
@@ -132,34 +137,50 @@ impl State<'_> {
     }
 }
 
-impl FixedGlobal<'_> {
-    /// Fits the initial state to the first `samples` samples from `start`. Returns the minimum of the robust loss of
-    /// scale `sigma0`, and the initial state.
-    pub fn fit_initial_state(
-        self,
-        observations: &Observations,
-        samples: usize,
-        start: DVector<f64>,
-    ) -> Result<(f64, DVector<f64>), FlightError> {
-        self.fit_initial_state_below(observations, samples, start, f64::INFINITY)
+impl<'a> FixedGlobal<'a> {
+    /// A flight at these global parameters.
+    pub fn flight(self, observations: &'a Observations) -> FlightAlone<'a> {
+        FlightAlone {
+            at: self,
+            observations,
+            samples: observations.times.len(),
+        }
+    }
+}
+
+/// A flight whose initial state alone is fitted.
+#[derive(Clone, Copy)]
+pub struct FlightAlone<'a> {
+    pub at: FixedGlobal<'a>,
+    pub observations: &'a Observations,
+    /// Number of samples that are used, counted from the first one.
+    pub samples: usize,
+}
+
+impl FlightAlone<'_> {
+    /// The first samples of the flight alone.
+    pub fn first(self, samples: usize) -> Self {
+        Self { samples, ..self }
     }
 
-    /// [`fit_initial_state`](Self::fit_initial_state) that gives up where progress is slow and the loss above `below`.
-    pub fn fit_initial_state_below(
+    /// Fits the initial state from `start`. Returns the minimum of the robust loss of scale `sigma0`, and the initial state.
+    pub fn fit(self, start: DVector<f64>) -> Result<(f64, DVector<f64>), FlightError> {
+        self.fit_below(start, f64::INFINITY)
+    }
+
+    /// [`fit`](Self::fit) that gives up where progress is slow and the loss above `below`.
+    pub fn fit_below(
         self,
-        observations: &Observations,
-        samples: usize,
         start: DVector<f64>,
         below: f64,
     ) -> Result<(f64, DVector<f64>), FlightError> {
-        let sigma0 = self.problem.sigma0;
+        let sigma0 = self.at.problem.sigma0;
         let solve = |local: DVector<f64>, scale: f64, criteria: StoppingCriteria| {
-            self.solve(observations, samples, local, Loss::Huber(scale), criteria)
+            self.solve(local, Loss::Huber(scale), criteria)
         };
         let (mut local, mut scale) = (start, f64::INFINITY);
         for _ in 0..MAX_SCALES {
-            let next = self.residual_scale(observations, &local, samples);
-            let next = next.unwrap_or(1.0).max(sigma0);
+            let next = self.scale(&local).unwrap_or(1.0).max(sigma0);
             // The last fit uses the scale sigma0.
             if next > CLEARLY_SMALLER * scale || CLEARLY_SMALLER * next < sigma0 {
                 break;
@@ -178,21 +199,24 @@ impl FixedGlobal<'_> {
         Ok((solution.squares, local))
     }
 
-    /// Fits the initial state to the first `samples` samples under `loss`, from `local`. Returns it with the solution.
+    /// Fits the initial state under `loss`, from `local`. Returns it with the solution.
     pub fn solve(
         self,
-        observations: &Observations,
-        samples: usize,
         local: DVector<f64>,
         loss: Loss<'_>,
         criteria: StoppingCriteria,
     ) -> Result<(DVector<f64>, Solution), FlightError> {
+        let FixedGlobal {
+            problem,
+            global,
+            options,
+        } = self.at;
         let objective = OutputError {
-            samples: vec![samples],
-            fixed_global: Some(self.global),
+            samples: vec![self.samples],
+            fixed_global: Some(global),
             constraints: Vec::new(),
             threads: 1,
-            ..OutputError::of_all(self.problem, [observations], loss, self.options)
+            ..OutputError::of_all(problem, [self.observations], loss, options)
         };
         let start = Iterate {
             global: DVector::zeros(0),
@@ -206,14 +230,10 @@ impl FixedGlobal<'_> {
         Ok((solution.iterate.local[0].clone(), solution))
     }
 
-    /// Robust standard deviation of the residuals over the first `samples` samples, m, from the initial state `local`.
-    pub fn residual_scale(
-        self,
-        observations: &Observations,
-        local: &DVector<f64>,
-        samples: usize,
-    ) -> Option<f64> {
-        let at = FlightAt::new(self.problem, observations, (self.global, local));
-        robust_scale(&at.first(samples).residuals().ok()?)
+    /// Robust standard deviation of the residuals, m, from the initial state `local`.
+    pub fn scale(self, local: &DVector<f64>) -> Option<f64> {
+        let unknowns = (self.at.global, local);
+        let at = FlightAt::new(self.at.problem, self.observations, unknowns);
+        robust_scale(&at.first(self.samples).residuals().ok()?)
     }
 }

@@ -6,7 +6,7 @@ use nalgebra::DVector;
 use super::FitError;
 use super::horizon_continuation::{anneal_scale, continue_horizon, fit_horizon};
 use super::initial_guess::{MIN_SEGMENT_SAMPLES, first_segment};
-use super::output_error::FixedGlobal;
+use super::output_error::{FixedGlobal, FlightAlone};
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::error::FlightError;
@@ -104,13 +104,10 @@ fn is_better(found: &ResidualCache, before: &ResidualCache) -> bool {
 // Corrected samples. Estimated parameters of the measurement may distort the samples: late recording, a scale,
 // misplaced markers. Their poses then show another motion than that of the body.
 
-/// Initial guesses from the samples; if the parameters of `at` predict a distortion, one from corrected samples follows.
-pub fn initial_guesses(
-    at: FixedGlobal<'_>,
-    observations: &Observations,
-) -> Result<Vec<InitialGuess>, FlightError> {
-    let mut guesses = initial_state::initial_guesses(at.problem, observations)?;
-    let found = undistorted_guess(at, observations, &guesses[0].state);
+/// Initial guesses from the samples; if the parameters predict a distortion, one from corrected samples follows.
+pub fn initial_guesses(flight: FlightAlone<'_>) -> Result<Vec<InitialGuess>, FlightError> {
+    let mut guesses = initial_state::initial_guesses(flight.at.problem, flight.observations)?;
+    let found = undistorted_guess(flight, &guesses[0].state);
     guesses.extend(found.map(|state| InitialGuess {
         state,
         turns: 0,
@@ -119,12 +116,9 @@ pub fn initial_guesses(
     Ok(guesses)
 }
 
-/// Guess from samples that are corrected for the distortion by the parameters of `at` from the initial state `local`.
-fn undistorted_guess(
-    at: FixedGlobal<'_>,
-    observations: &Observations,
-    local: &DVector<f64>,
-) -> Option<DVector<f64>> {
+/// Guess from samples that are corrected for the distortion by the parameters, from the initial state `local`.
+fn undistorted_guess(flight: FlightAlone<'_>, local: &DVector<f64>) -> Option<DVector<f64>> {
+    let (at, observations) = (flight.at, flight.observations);
     let first = observations.first_samples(first_segment(observations));
     let mut found: Option<DVector<f64>> = None;
     for _ in 0..PASSES {
@@ -167,11 +161,11 @@ fn from_undistorted<'a>(state: &State<'a>) -> Result<Option<Arrival<'a>>, FitErr
         ..state.fixed_global()
     };
     let found = parallel::each_on(options.threads(), state.flights.len(), |flight| {
-        let observations = &state.flights[flight];
-        let as_seen = guess(problem, observations)?;
-        let guess = undistorted_guess(at, observations, &as_seen)?;
-        let first = first_segment(observations);
-        Some(at.fit_initial_state(observations, first, guess).ok()?.1)
+        let flight = at.flight(&state.flights[flight]);
+        let as_seen = guess(problem, flight.observations)?;
+        let guess = undistorted_guess(flight, &as_seen)?;
+        let first = flight.first(first_segment(flight.observations));
+        Some(first.fit(guess).ok()?.1)
     });
     options.stage_started("undistorted samples", state.flights.len());
     let mut started = state.clone();

@@ -5,7 +5,7 @@ use nalgebra::DVector;
 
 use super::horizon_continuation::anneal_scale;
 use super::initial_guess::{first_segment, observations_and_poses, spin_note};
-use super::output_error::FixedGlobal;
+use super::output_error::{FixedGlobal, FlightAlone};
 use super::residual_cache::{ResidualCache, exclude_failed};
 use super::reweighting::{Reweighted, reweight};
 use super::starts::distinct;
@@ -67,7 +67,7 @@ pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<Residua
 /// Better initial state of a flight at the present parameters, with a note; `None` if none has a scale clearly below
 /// `before`, m.
 fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64>, String)> {
-    let best = fly_to_the_end(state.fixed_global(), &state.flights[flight]);
+    let best = fly_to_the_end(state.alone(flight));
     let (.., accepted) = limits(state);
     let (scale, local, turns) = best.filter(|(scale, ..)| *scale < accepted * before)?;
     let mut note = format!(
@@ -83,32 +83,27 @@ fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64
 /// Fits the initial state of one flight from its guesses over a short initial segment, which is doubled until it is the whole
 /// flight; guesses that lead to one motion are followed once. Returns the residual scale, m, of the best initial state, this
 /// state and its number of additional turns.
-fn fly_to_the_end(
-    at: FixedGlobal<'_>,
-    observations: &Observations,
-) -> Option<(f64, DVector<f64>, i32)> {
-    let all = observations.times.len();
-    let guesses = restarts::initial_guesses(at, observations).ok()?;
+fn fly_to_the_end(flight: FlightAlone<'_>) -> Option<(f64, DVector<f64>, i32)> {
+    let guesses = restarts::initial_guesses(flight).ok()?;
     let mut followed: Vec<(DVector<f64>, i32)> = guesses
         .into_iter()
         .map(|own| (own.state, own.turns))
         .collect();
-    let mut samples = first_segment(observations);
+    let mut samples = first_segment(flight.observations);
     loop {
         let fitted = followed.into_iter().filter_map(|(start, turns)| {
-            let (squares, local) = at.fit_initial_state(observations, samples, start).ok()?;
+            let (squares, local) = flight.first(samples).fit(start).ok()?;
             Some((squares, local, turns))
         });
-        let distinct = distinct(&at.problem.model, fitted.collect());
+        let distinct = distinct(&flight.at.problem.model, fitted.collect());
         followed = distinct.map(|(_, local, turns)| (local, turns)).collect();
-        if samples == all {
+        if samples == flight.samples {
             break;
         }
-        samples = (2 * samples).min(all);
+        samples = (2 * samples).min(flight.samples);
     }
     let (local, turns) = followed.into_iter().next()?;
-    let scale = at.residual_scale(observations, &local, all)?;
-    Some((scale, local, turns))
+    Some((flight.scale(&local)?, local, turns))
 }
 
 /// Excludes a minority of flights whose residuals remain far above those of the others, even if these are fitted alone.
@@ -154,7 +149,7 @@ fn fit_without<'a>(
     let before = without.excluded.len();
     for &flight in suspects {
         let (observations, local) = (&state.flights[flight], &state.local[flight]);
-        let (scale, local) = refitted(without.fixed_global(), observations, local);
+        let (scale, local) = refitted(without.fixed_global().flight(observations), local);
         if scale > HOPELESS * usual {
             without.excluded.push(ExcludedFlight {
                 flight: state.ids[flight],
@@ -178,15 +173,10 @@ fn fit_without<'a>(
 }
 
 /// Residual scale, m, and initial state of a flight fitted at fixed parameters; infinite if it cannot be integrated.
-fn refitted(
-    at: FixedGlobal<'_>,
-    observations: &Observations,
-    start: &DVector<f64>,
-) -> (f64, DVector<f64>) {
-    let samples = observations.times.len();
-    let fitted = at.fit_initial_state(observations, samples, start.clone());
+fn refitted(flight: FlightAlone<'_>, start: &DVector<f64>) -> (f64, DVector<f64>) {
+    let fitted = flight.fit(start.clone());
     let local = fitted.map_or_else(|_| start.clone(), |(_, local)| local);
-    let scale = at.residual_scale(observations, &local, samples);
+    let scale = flight.scale(&local);
     (scale.unwrap_or(f64::INFINITY), local)
 }
 
@@ -257,7 +247,7 @@ fn like_the_others(
     usual: f64,
 ) -> Option<(Observations, DVector<f64>)> {
     let (observations, _) = observations_and_poses(at.problem, flight, None).ok()?;
-    let (scale, local, _) = fly_to_the_end(at, &observations)?;
+    let (scale, local, _) = fly_to_the_end(at.flight(&observations))?;
     (scale <= FAR_ABOVE * usual).then_some((observations, local))
 }
 

@@ -149,18 +149,13 @@ fn with_own_turns(
 /// For each flight that does not fit to the noise the initial state of another spin with the least deviance at the present
 /// parameters, and by how much it is less than that of the present one.
 fn gains_of_turns(state: &State<'_>, cache: &ResidualCache) -> Vec<Option<(f64, DVector<f64>)>> {
-    let (at, sigma0) = (state.fixed_global(), state.problem.sigma0);
+    let sigma0 = state.problem.sigma0;
     let (spin, scales) = (spins(state.problem), cache.scales());
     parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
-        let observations = &state.flights[flight];
         if scales[flight].is_some_and(|scale| is_noise_of(scale, state)) {
             return None;
         }
-        let fitted = |local: &DVector<f64>| {
-            let samples = observations.times.len();
-            at.fit_initial_state(observations, samples, local.clone())
-                .ok()
-        };
+        let fitted = |local: &DVector<f64>| state.alone(flight).fit(local.clone()).ok();
         let (present, local) = fitted(&state.local[flight])?;
         let (own, guesses) = (spin(&local)?, state.guesses[flight].iter());
         let others = guesses.filter_map(|guess| {
@@ -272,12 +267,9 @@ fn further_choices(state: &State<'_>, common: &[Vec<i32>]) -> Vec<Vec<i32>> {
 
 /// Number of additional turns with which each flight is nearest to what the model flies with its own values.
 fn nearest_to_model(state: &State<'_>) -> Vec<i32> {
-    let at = state.fixed_global();
     parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
-        let observations = &state.flights[flight];
-        let samples = observations.times.len();
         let fitted = state.guesses[flight].iter().filter_map(|guess| {
-            let found = at.fit_initial_state(observations, samples, guess.state.clone());
+            let found = state.alone(flight).fit(guess.state.clone());
             Some((found.ok()?.0, guess.turns))
         });
         let best = fitted.min_by(|a, b| a.0.total_cmp(&b.0));

@@ -9,12 +9,11 @@ use nalgebra::DVector;
 
 use super::FitError;
 use super::horizon_continuation::{anneal_scale, continue_horizon};
-use super::output_error::FixedGlobal;
+use super::output_error::FlightAlone;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::initial_state::InitialGuess;
 use crate::levels::ROUGHLY_NOISE;
-use crate::observations::Observations;
 
 /// Least relative difference of initial states, or of their angular velocities, of different fits: a turn per interval is
 /// most of either.
@@ -220,19 +219,15 @@ fn exchange_initial_states(
 
 /// Moves each flight to the best initial state to which its guesses lead; returns whether one moved.
 fn exchange(state: &mut State<'_>) -> bool {
-    let (at, sigma0) = (state.fixed_global(), state.problem.sigma0);
+    let sigma0 = state.problem.sigma0;
     let found = parallel::each_on(state.options.threads(), state.flights.len(), |flight| {
-        let observations = &state.flights[flight];
-        let fitted = |local: &DVector<f64>, below: f64| {
-            let samples = observations.times.len();
-            at.fit_initial_state_below(observations, samples, local.clone(), below)
-                .ok()
-        };
+        let alone = state.alone(flight);
+        let fitted = |local: &DVector<f64>, below| alone.fit_below(local.clone(), below).ok();
         let present = fitted(&state.local[flight], f64::INFINITY);
         let present = present.map_or(f64::INFINITY, |(squares, _)| squares);
         let mut least = present - SAME_MINIMUM * sigma0 * sigma0;
         let mut best = None;
-        for (of_part, other) in begun(at, observations, &state.guesses[flight], least) {
+        for (of_part, other) in begun(alone, &state.guesses[flight], least) {
             // The sum of squares of a whole flight is at least that of its first part.
             if of_part >= least {
                 break;
@@ -251,20 +246,18 @@ fn exchange(state: &mut State<'_>) -> bool {
 /// Initial states to which guesses lead over the first part of a flight, with their sums of squares there: the distinct ones,
 /// and none that gets no sum of squares below `below` soon.
 fn begun(
-    at: FixedGlobal<'_>,
-    observations: &Observations,
+    flight: FlightAlone<'_>,
     guesses: &[InitialGuess],
     below: f64,
 ) -> impl Iterator<Item = (f64, DVector<f64>)> {
+    let observations = flight.observations;
     let samples = observations.samples_until(observations.times[0] + FIRST_PART);
     let begun = guesses.iter().filter_map(|guess| {
         let start = guess.state.clone();
-        let (squares, local) = at
-            .fit_initial_state_below(observations, samples, start, below)
-            .ok()?;
+        let (squares, local) = flight.first(samples).fit_below(start, below).ok()?;
         Some((squares, local, ()))
     });
-    distinct(&at.problem.model, begun.collect()).map(|(squares, local, ())| (squares, local))
+    distinct(&flight.at.problem.model, begun.collect()).map(|(squares, local, ())| (squares, local))
 }
 
 /// Initial states with their sums of squares, each once, the least first: at most [`FOLLOWED`].

@@ -69,7 +69,7 @@ impl Search<'_> {
     /// others.
     pub fn excluded_until_contact(&self, flight: &Flight) -> Option<FittedFlight> {
         let whole = Observations::new(self.at.problem, flight).ok()?;
-        let guesses = refined_guesses(self.at, &whole).ok()?;
+        let guesses = refined_guesses(self.at.flight(&whole)).ok()?;
         let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
         let within = (first_segment(&whole), whole.times.len());
         let (onset, local) = self.contact(&whole, best.1.state, within)?;
@@ -79,9 +79,7 @@ impl Search<'_> {
 
     /// Whether the residual scale up to the new last sample is at most `ratio` times the usual one.
     fn is_within(&self, ratio: f64, moved: &FittedFlight) -> bool {
-        let (observations, local) = (&moved.observations, &moved.state);
-        let samples = observations.times.len();
-        let scale = self.at.residual_scale(observations, local, samples);
+        let scale = self.at.flight(&moved.observations).scale(&moved.state);
         scale.is_some_and(|scale| scale <= ratio * self.usual)
     }
 
@@ -145,8 +143,8 @@ impl Search<'_> {
         samples: usize,
         start: &DVector<f64>,
     ) -> Option<DVector<f64>> {
-        let found = self.at.fit_initial_state(whole, samples, start.clone());
-        Some(found.ok()?.1)
+        let first = self.at.flight(whole).first(samples);
+        Some(first.fit(start.clone()).ok()?.1)
     }
 }
 
