@@ -13,7 +13,7 @@ use crate::least_squares::{FailedFlight, Solution, SolveError, StoppingCriteria,
 use crate::levels::{ROBUST_ERROR, UNLIKE};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
-use crate::predict::{FlightAt, Loss, Residuals, residuals_along, robust_scale};
+use crate::predict::{FlightAt, Loss, Residuals, robust_scale};
 use crate::problem::FitProblem;
 use dataset::Dataset;
 use dataset::statistics::median_of;
@@ -70,7 +70,7 @@ impl ResidualCache {
             let at = state.at(flight).first(samples[flight]);
             let path = at.states().and_then(|states| {
                 Ok(Path {
-                    residuals: residuals_along(at.problem, at.observations, at.global, &states)?,
+                    residuals: at.residuals_along(&states)?,
                     states,
                 })
             });

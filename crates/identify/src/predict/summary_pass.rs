@@ -3,10 +3,9 @@
 use dataset::SummaryEvent;
 use flight::release::Release;
 use flight::{ModelObserver, ModelState};
-use nalgebra::DVector;
 use ode::{AlignedVec, Event, Occurrence, OdeRhs, Sensitivities};
 
-use super::TrajectoryPass;
+use super::FlightAt;
 use super::jacobian_columns::JacobianColumns;
 use super::observed_point::{ObservedPoint, Residuals, integration_options};
 use crate::channel::{Channel, ChannelKind};
@@ -78,14 +77,10 @@ fn residual(own: &Channel, of: SummaryValue, at: &AtEvent, measured: f64) -> f64
 }
 
 /// Residuals of a flight from its initial state.
-pub(crate) fn residuals(
-    problem: &FitProblem,
-    observations: &Observations,
-    global: &DVector<f64>,
-    start: &[f64],
-) -> Result<Residuals, FlightError> {
+pub(crate) fn residuals(at: FlightAt<'_>) -> Result<Residuals, FlightError> {
+    let (problem, observations, start) = (at.problem, at.observations, at.local.as_slice());
     let summary = summary_of(problem)?;
-    let parameters = observations.parameters(problem, global);
+    let parameters = observations.parameters(problem, at.global);
     let bound = summary.bind(&parameters);
     let mut observers: Vec<(usize, ModelObserver<'_>)> =
         bound.iter().map(|(k, own)| (*k, own.observer())).collect();
@@ -129,21 +124,21 @@ pub(crate) fn residuals(
 
 /// Integrates a flight to its landing and calls `each` with every value and its derivatives.
 pub(crate) fn each_point(
-    pass: &TrajectoryPass<'_>,
+    (at, tolerance): (FlightAt<'_>, f64),
     variations: &mut Sensitivities<'_>,
     start: &AlignedVec,
     columns: &JacobianColumns<'_>,
     mut each: impl FnMut(ObservedPoint<'_>),
 ) -> Result<(), FlightError> {
-    let (problem, observations) = (pass.at.problem, pass.at.observations);
+    let (problem, observations) = (at.problem, at.observations);
     let summary = summary_of(problem)?;
-    let bound = summary.bind(&observations.parameters(problem, pass.at.global));
+    let bound = summary.bind(&observations.parameters(problem, at.global));
     let mut observers: Vec<(usize, ModelObserver<'_>)> =
         bound.iter().map(|(k, own)| (*k, own.observer())).collect();
     let wanted = seen(problem, observations);
     let mut found = Vec::new();
     if wanted.iter().any(|event| *event != SummaryEvent::Release) {
-        let options = integration_options(pass.tolerance, 1);
+        let options = integration_options(tolerance, 1);
         let (from, end) = ((0.0, start), Release::MAX_DURATION);
         let mut events = events(summary);
         let path = variations.integrate_to_event(from, end, &options, &mut events)?;

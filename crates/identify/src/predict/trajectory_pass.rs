@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use flight::{BoundModel, ModelState, ObservationJacobians};
-use nalgebra::DVector;
 use ode::{
     DifferentiableRhs, IntegrationError, IntegrationFailure, Sensitivities, SensitivityLayout,
 };
@@ -12,7 +11,6 @@ use super::jacobian_columns::JacobianColumns;
 use super::observed_point::{ObservedPoint, Residuals, integration_options};
 use super::{FlightAt, PointResidual, summary_pass};
 use crate::error::FlightError;
-use crate::observations::Observations;
 use crate::observers::ChannelConditions;
 use crate::problem::FitProblem;
 use dataset::statistics::robust_sigma;
@@ -50,7 +48,8 @@ impl TrajectoryPass<'_> {
         let tangent = observations.manifold.tangent(local.as_slice());
         let start = variations.initial_state(local.as_slice(), &columns.tangent(&tangent));
         if observations.is_summary {
-            summary_pass::each_point(self, &mut variations, &start, columns, each)?;
+            let at = (self.at, self.tolerance);
+            summary_pass::each_point(at, &mut variations, &start, columns, each)?;
             return Ok(places);
         }
         let values = observations.parameters(problem, global);
@@ -186,8 +185,27 @@ impl FlightAt<'_> {
 
     /// Residuals at the samples of the flight.
     pub(crate) fn residuals(self) -> Result<Residuals, FlightError> {
-        let states = self.states()?;
-        residuals_along(self.problem, self.observations, self.global, &states)
+        self.residuals_along(&self.states()?)
+    }
+
+    /// Residuals at the samples of a trajectory, that of [`states`](Self::states).
+    pub(crate) fn residuals_along(self, trajectory: &[f64]) -> Result<Residuals, FlightError> {
+        let (problem, observations) = (self.problem, self.observations);
+        if observations.is_summary {
+            return summary_pass::residuals(self);
+        }
+        let parameters = observations.parameters(problem, self.global);
+        let conditions = ChannelConditions::new(problem, &parameters);
+        let mut observers = conditions.observers();
+        let samples = trajectory.len() / observations.manifold.states();
+        let mut residuals = vec![Vec::with_capacity(samples); observations.channels];
+        for (sample, time, state) in observations.along(trajectory) {
+            for (channel, residuals) in residuals.iter_mut().enumerate() {
+                let measured = observations.value(sample, channel);
+                residuals.push(measured.map(|seen| observers.residual(time, state, channel, seen)));
+            }
+        }
+        Ok(residuals)
     }
 }
 
@@ -209,30 +227,6 @@ fn beyond_limit(
         };
     }
     error
-}
-
-/// Residuals at the samples of a trajectory, that of [`FlightAt::states`].
-pub(crate) fn residuals_along(
-    problem: &FitProblem,
-    observations: &Observations,
-    global: &DVector<f64>,
-    trajectory: &[f64],
-) -> Result<Residuals, FlightError> {
-    if observations.is_summary {
-        return summary_pass::residuals(problem, observations, global, trajectory);
-    }
-    let parameters = observations.parameters(problem, global);
-    let conditions = ChannelConditions::new(problem, &parameters);
-    let mut observers = conditions.observers();
-    let samples = trajectory.len() / observations.manifold.states();
-    let mut residuals = vec![Vec::with_capacity(samples); observations.channels];
-    for (sample, time, state) in observations.along(trajectory) {
-        for (channel, residuals) in residuals.iter_mut().enumerate() {
-            let measured = observations.value(sample, channel);
-            residuals.push(measured.map(|seen| observers.residual(time, state, channel, seen)));
-        }
-    }
-    Ok(residuals)
 }
 
 /// Robust standard deviation of one flight's residuals, m; `None` if there are no residuals.
