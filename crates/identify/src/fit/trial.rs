@@ -41,7 +41,7 @@ impl Task<'_> {
             let mut own = faults.iter().filter(|fault| fault.file == flight.file);
             own.clone().next().is_some() && own.all(|fault| rests_on_loads(fault.fault))
         };
-        let tracks = self.to_fit();
+        let tracks = self.fitted();
         let tracks = tracks.filter(|flight| !self.dataset.is_summary(flight));
         if self.options.trust_data || !tracks.clone().all(|flight| is_common(&flight)) {
             return;
@@ -57,7 +57,7 @@ impl Task<'_> {
     }
 
     /// The flights with the role `fit`.
-    fn to_fit(&self) -> impl Iterator<Item = &Flight> + Clone {
+    fn fitted(&self) -> impl Iterator<Item = &Flight> + Clone {
         let flights = self.dataset.flights.iter();
         flights.filter(|flight| flight.role == Role::Fit)
     }
@@ -90,7 +90,7 @@ impl Task<'_> {
 
     /// Reliable fit of a few flights with readings of another meaning.
     fn tried_with(self, other: &OtherMeaning) -> Option<Fit> {
-        self.tried_reliably(self.to_fit().map(|flight| other.converted(flight.clone())))
+        self.tried_reliably(self.fitted().map(|flight| other.converted(flight.clone())))
     }
 
     /// Whether the readings may be meant otherwise than stated: the user does not trust them, and they were not judged before.
@@ -161,7 +161,7 @@ impl Task<'_> {
             if !pose.are_better(problem, turned) {
                 continue;
             }
-            let found = with_turn.tried_reliably(self.to_fit().map(turned));
+            let found = with_turn.tried_reliably(self.fitted().map(turned));
             let Some(left) = found.as_ref().and_then(turn_about_third) else {
                 continue;
             };
@@ -174,7 +174,7 @@ impl Task<'_> {
         for axis in [1, 2, 0] {
             let negated = |flight: &Flight| pose.negated(flight, axis);
             if pose.are_better(problem, negated)
-                && self.tried_reliably(self.to_fit().map(negated)).is_some()
+                && self.tried_reliably(self.fitted().map(negated)).is_some()
             {
                 return pose.faults_of_sign(axis);
             }
