@@ -55,20 +55,15 @@ impl Switches {
 
 /// Whether an expression has a function that may switch: the graph of most models need not be built for an answer.
 fn has_switch(expression: &Expr) -> bool {
-    let mut found = false;
-    expression.walk(&mut |e| {
-        found |= match &e.kind {
-            ExprKind::Lookup(..)
-            | ExprKind::Min(..)
-            | ExprKind::Max(..)
-            | ExprKind::RealPower(..) => true,
-            ExprKind::Call(function, _) => {
-                !matches!(function, Named::Sin | Named::Cos | Named::Tan | Named::Atan)
-            }
-            _ => false,
-        };
-    });
-    found
+    expression.nodes().any(|e| match &e.kind {
+        ExprKind::Lookup(..) | ExprKind::Min(..) | ExprKind::Max(..) | ExprKind::RealPower(..) => {
+            true
+        }
+        ExprKind::Call(function, _) => {
+            !matches!(function, Named::Sin | Named::Cos | Named::Tan | Named::Atan)
+        }
+        _ => false,
+    })
 }
 
 /// Nodes of the arguments on which `roots` depend, inner ones first, and their levels.

@@ -210,16 +210,15 @@ pub fn inertia_depends_on(model: &Model, name: &str) -> bool {
     let entries: Vec<&Expr> = model.tensors().flatten().flatten().collect();
     let variables = model.aux_variables.iter().zip(needed(model, &entries));
     let variables = variables.filter_map(|(own, is_needed)| is_needed.then_some(&own.value));
-    entries.iter().copied().chain(variables).any(|e| {
-        let mut found = false;
-        e.walk(&mut |part| {
-            found |= match part.kind {
-                ExprKind::Param(i) => model.params[i].name == name,
-                ExprKind::Coefficient(i) => model.coefficients[i].name == name,
-                _ => false,
-            };
-        });
-        found
+    let mut parts = entries
+        .iter()
+        .copied()
+        .chain(variables)
+        .flat_map(Expr::nodes);
+    parts.any(|part| match part.kind {
+        ExprKind::Param(i) => model.params[i].name == name,
+        ExprKind::Coefficient(i) => model.coefficients[i].name == name,
+        _ => false,
     })
 }
 
@@ -228,13 +227,13 @@ pub fn needed(model: &Model, of: &[&Expr]) -> Vec<bool> {
     let mut needed = vec![false; model.aux_variables.len()];
     let mut open = of.to_vec();
     while let Some(e) = open.pop() {
-        e.walk(&mut |part| {
+        for part in e.nodes() {
             if let ExprKind::AuxVariable(index) = part.kind
                 && !std::mem::replace(&mut needed[index], true)
             {
                 open.push(&model.aux_variables[index].value);
             }
-        });
+        }
     }
     needed
 }
@@ -276,7 +275,6 @@ pub(crate) fn depends(e: &Expr, known: &[bool], is_leaf: &impl Fn(&ExprKind) -> 
         ExprKind::AuxVariable(index) => return known.get(*index).copied().unwrap_or(false),
         _ => {}
     }
-    let mut found = false;
-    e.children(&mut |child| found |= depends(child, known, is_leaf));
-    found
+    let mut children = e.children().into_iter();
+    children.any(|child| depends(child, known, is_leaf))
 }

@@ -421,7 +421,9 @@ fn substitute(e: &mut Expr, term: &Expr) {
     if matches!(&e.kind, ExprKind::Name(name) if name == "TERM") {
         e.clone_from(term);
     } else {
-        e.children_mut(&mut |child| substitute(child, term));
+        for child in e.children_mut() {
+            substitute(child, term);
+        }
     }
 }
 

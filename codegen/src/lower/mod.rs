@@ -268,10 +268,6 @@ impl Lowering<'_> {
 }
 
 fn mentions_let(expr: &model_spec::model::Expr) -> bool {
-    let mut found = matches!(
-        expr.kind,
-        ExprKind::AuxVariable(_) | ExprKind::Determinacy(_)
-    );
-    expr.children(&mut |child| found |= mentions_let(child));
-    found
+    expr.nodes()
+        .any(|e| matches!(e.kind, ExprKind::AuxVariable(_) | ExprKind::Determinacy(_)))
 }

@@ -169,7 +169,9 @@ impl<'m> Reader<'m> {
 
     /// Adds the arguments within `e`, inner ones first, at whose knots a function of the time is not smooth.
     fn collect(&self, e: &Expr, breaks: &mut TimeBreaks) {
-        e.children(&mut |child| self.collect(child, breaks));
+        for child in e.children() {
+            self.collect(child, breaks);
+        }
         match &e.kind {
             ExprKind::Call(Function::Table(index), a) => {
                 let knots = &self.model.tables[*index].arguments[0].knots;

@@ -79,20 +79,17 @@ fn is_of_equation(model: &Model, variable: &AuxVariable) -> bool {
 }
 
 fn follows_from_equations(model: &Model, balance: &Balance) -> bool {
-    let follows = |e: &Expr| {
-        let mut found = false;
-        e.walk(&mut |part| {
-            found |= matches!(
-                part.kind,
-                ExprKind::Rate(..)
-                    | ExprKind::BodyRate(..)
-                    | ExprKind::Unknown(..)
-                    | ExprKind::SpecificForce
-                    | ExprKind::AngularAcceleration
-            );
-        });
-        found
+    let is_of_equations = |part: &Expr| {
+        matches!(
+            part.kind,
+            ExprKind::Rate(..)
+                | ExprKind::BodyRate(..)
+                | ExprKind::Unknown(..)
+                | ExprKind::SpecificForce
+                | ExprKind::AngularAcceleration
+        )
     };
+    let follows = |e: &Expr| e.nodes().any(is_of_equations);
     let parts = [&balance.quantity, &balance.change];
     let used = model.aux_variables.iter().zip(needed(model, &parts));
     let mut used = used.filter(|(_, is_needed)| *is_needed).map(|(own, _)| own);

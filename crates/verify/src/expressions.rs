@@ -2,20 +2,6 @@
 
 use model_spec::model::{EffectUnknown, Expr, ExprKind, Model};
 
-/// Direct subexpressions, from left to right.
-pub fn children(e: &Expr) -> Vec<&Expr> {
-    let mut out = Vec::new();
-    e.children(&mut |child| out.push(child));
-    out
-}
-
-/// Direct subexpressions, from left to right, by mutable reference.
-pub fn children_mut(e: &mut Expr) -> Vec<&mut Expr> {
-    let mut out = Vec::new();
-    e.children_mut(&mut |child| out.push(child));
-    out
-}
-
 /// Replaces every coefficient and state that the effects of a model add by its null value.
 pub fn fix_effects(model: &mut Model) {
     let effects = model.effects.clone();
@@ -34,7 +20,9 @@ pub fn fix_effects(model: &mut Model) {
             let exact = (value.fract() == 0.0 && value.abs() < 1e15).then_some((value as i64, 1));
             e.kind = ExprKind::Number { value, exact };
         }
-        e.children_mut(&mut |child| walk(child, null_value));
+        for child in e.children_mut() {
+            walk(child, null_value);
+        }
     }
     let roots = model.expressions_mut().into_iter();
     roots.for_each(|root| walk(root, &null_value));

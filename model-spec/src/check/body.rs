@@ -281,11 +281,7 @@ impl<'a> Checker<'a> {
             | ExprKind::Marker => Some(e.span),
             ExprKind::Param(i) => self.model.params[*i].varies.then_some(e.span),
             ExprKind::AuxVariable(i) => self.varies[*i].then_some(e.span),
-            _ => {
-                let mut found = None;
-                e.children(&mut |c| found = found.or_else(|| self.varying(c)));
-                found
-            }
+            _ => e.children().into_iter().find_map(|c| self.varying(c)),
         }
     }
 }

@@ -103,16 +103,9 @@ impl<'a> Checker<'a> {
             follows[i] =
                 of_equations.contains(&i) || depends(&variable.value, &follows, &|_| false);
         }
-        let mut culprit = None;
-        e.walk(&mut |e| {
-            if let ExprKind::AuxVariable(i) = e.kind
-                && follows[i]
-            {
-                culprit.get_or_insert(e.span);
-            }
-        });
-        if let Some(span) = culprit {
-            self.circular(&self.text(span), span);
+        let follows = |e: &&Expr| matches!(e.kind, ExprKind::AuxVariable(i) if follows[i]);
+        if let Some(culprit) = e.nodes().find(follows) {
+            self.circular(&self.text(culprit.span), culprit.span);
         }
         culprit.is_some()
     }

@@ -177,13 +177,12 @@ impl Degrees {
             K::BodyRate(_, loads) => self.greatest(loads),
             K::Components(parts) => self.greatest(&parts[..]),
             _ => {
-                let mut found = Ok(0);
-                e.children(&mut |child| match (&found, self.of(child)) {
-                    (Ok(_), Ok(1)) => found = Err(e),
-                    (Ok(_), Err(inner)) => found = Err(inner),
-                    _ => {}
-                });
-                found
+                for child in e.children() {
+                    if self.of(child)? != 0 {
+                        return Err(e);
+                    }
+                }
+                Ok(0)
             }
         }
     }

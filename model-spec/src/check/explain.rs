@@ -179,7 +179,11 @@ impl Checker<'_> {
                     let is_own = |name: &ast::Name| name.span == leaf.span;
                     let own = { items }.find(|item| item.kind.declared().is_some_and(is_own));
                     let values = own.map_or_else(Vec::new, |item| item.kind.roots());
-                    if let Some(note) = values.into_iter().find_map(|value| self.cut_unit(value)) {
+                    if let Some(note) = values
+                        .into_iter()
+                        .flat_map(ast::Expr::nodes)
+                        .find_map(|e| self.cut_unit(e))
+                    {
                         fault = fault.note(note);
                     }
                 }
@@ -206,22 +210,19 @@ impl Checker<'_> {
 
     /// Note at `40 kg*m^2`, where a quantity `m` is declared, that the unit ends before it.
     fn cut_unit(&self, e: &ast::Expr) -> Option<String> {
-        let mut found = None;
-        if let ast::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div | BinaryOp::Dot, a, b) = &e.kind
-            && let Some(name) = power_of_name(b).filter(|name| symbol::find(name).is_some())
-            && let Some(number) = last_number(a)
-            && let Some(unit) = &number.unit
-        {
-            let (start, from) = (number.span, unit.span);
-            let [whole, first] = [e.span, start].map(|end| self.text(start.to(end)));
-            let [digits, unit] = [(start, number.number.span), (from, e.span)]
-                .map(|(from, to)| self.text(from.to(to)));
-            found = Some(format!(
-                "`{whole}` is `{first}` times the quantity `{name}`: with a unit of several factors write `{digits} [{unit}]`"
-            ));
-        }
-        e.children(&mut |child| found = found.take().or_else(|| self.cut_unit(child)));
-        found
+        let ast::ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div | BinaryOp::Dot, a, b) = &e.kind
+        else {
+            return None;
+        };
+        let name = power_of_name(b).filter(|name| symbol::find(name).is_some())?;
+        let number = last_number(a)?;
+        let (start, from) = (number.span, number.unit.as_ref()?.span);
+        let [whole, first] = [e.span, start].map(|end| self.text(start.to(end)));
+        let [digits, unit] =
+            [(start, number.number.span), (from, e.span)].map(|(from, to)| self.text(from.to(to)));
+        Some(format!(
+            "`{whole}` is `{first}` times the quantity `{name}`: with a unit of several factors write `{digits} [{unit}]`"
+        ))
     }
 
     /// Appends to `out` the operands (names and literals) of an expression with their units, without duplicates.
@@ -261,7 +262,9 @@ impl Checker<'_> {
             ExprKind::SpecificForce => written(Term::known(Unit::ACCELERATION)),
             ExprKind::AngularAcceleration => written(Term::known(Unit::ANGULAR_ACCELERATION)),
             _ => {
-                e.children(&mut |child| self.leaves(child, out));
+                for child in e.children() {
+                    self.leaves(child, out);
+                }
                 return;
             }
         };

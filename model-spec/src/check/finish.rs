@@ -118,7 +118,9 @@ impl Tables {
         let mul = |a: Unit, b: Unit| a.checked_mul(b).unwrap_or_default();
         // A literal 0 takes the unit of the other operand.
         let either = |a: &Expr, b: &Expr| if bare_zero(a) { b.unit } else { a.unit };
-        e.children_mut(&mut |child| self.assign(child));
+        for child in e.children_mut() {
+            self.assign(child);
+        }
         e.unit = match &e.kind {
             K::Number { .. } => e.unit,
             K::Unknown(system, k) => self.rates[*system][*k].unwrap_or(e.unit),

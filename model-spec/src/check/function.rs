@@ -285,9 +285,8 @@ impl<'a> Checker<'a> {
         if e.span == at {
             return Some(call);
         }
-        let mut found = None;
-        e.children(&mut |child| found = found.or_else(|| self.call_in(child, at, call)));
-        found
+        let mut children = e.children().into_iter();
+        children.find_map(|child| self.call_in(child, at, call))
     }
 
     /// Errors of the model and of its functions, each once.

@@ -58,10 +58,10 @@ pub(super) struct StateSets {
 
 /// Whether an expression has `der(…)`.
 fn has_rates(e: &ast::Expr) -> bool {
-    let mut found = matches!(&e.kind, ast::ExprKind::Call(name, _) if name.text == "der");
-    found |= matches!(&e.kind, ast::ExprKind::Derivative(_));
-    e.children(&mut |child| found = found || has_rates(child));
-    found
+    e.nodes().any(|part| match &part.kind {
+        ast::ExprKind::Call(name, _) => name.text == "der",
+        kind => matches!(kind, ast::ExprKind::Derivative(_)),
+    })
 }
 
 impl Checker<'_> {
@@ -136,7 +136,9 @@ impl Checker<'_> {
             }
             _ => {}
         }
-        e.children(&mut |child| found.merge(&self.states_in(child, sets)));
+        for child in e.children() {
+            found.merge(&self.states_in(child, sets));
+        }
         if matches!(&e.kind, ast::ExprKind::Call(name, _) if name.text == "der") {
             with_rates(&mut found, sets);
         }
@@ -202,7 +204,9 @@ impl Checker<'_> {
         for state in states.iter() {
             visit(&self.model.states[state].name, true, e.span);
         }
-        e.children(&mut |child| self.all_uses(child, visit));
+        for child in e.children() {
+            self.all_uses(child, visit);
+        }
     }
 
     /// States whose derivatives a statement needs without naming them: of a constraint those on which it depends, and
@@ -374,8 +378,8 @@ impl Dependence {
             }
             _ => {}
         }
-        let mut order = 0;
-        e.children(&mut |child| order = order.max(self.visit(checker, child)));
-        order + u8::from(matches!(e.kind, ExprKind::Rate(..) | ExprKind::Partial(..)))
+        let children = e.children().into_iter();
+        let order = children.map(|child| self.visit(checker, child)).max();
+        order.unwrap_or(0) + u8::from(matches!(e.kind, ExprKind::Rate(..) | ExprKind::Partial(..)))
     }
 }

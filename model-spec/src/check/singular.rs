@@ -305,7 +305,7 @@ impl Checker<'_> {
         let signs = Signs::new(&self.model);
         for (index, root) in self.model.expressions().into_iter().enumerate() {
             let earlier = faults.len();
-            root.walk(&mut |e| {
+            for e in root.nodes() {
                 if let Some(divisor) = divisor(e) {
                     if !signs.of(divisor).never_zero() {
                         faults.push(self.division(e, divisor, signs.culprit(divisor)));
@@ -334,7 +334,7 @@ impl Checker<'_> {
                         faults.push(fault.help(format!("say where the model ends: `{limit}`")));
                     }
                 }
-            });
+            }
             let found: Vec<Diagnostic> = faults.drain(earlier..).collect();
             let found = found.into_iter();
             faults.extend(found.map(|fault| self.at_call(fault, index, root)));
@@ -438,7 +438,7 @@ pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
     let of_root = |e: &Expr| format!("is 0 with derivative 0 where `{}` is 0 or less", text(e));
     let mut points: Vec<SingularPoint> = Vec::new();
     for root in model.expressions() {
-        root.walk(&mut |e| {
+        for e in root.nodes() {
             let what = match &e.kind {
                 K::Norm(a) => format!("is 0 with derivative 0 where `{}` is zero", text(a)),
                 K::Direction(a, Some(other)) => {
@@ -460,7 +460,7 @@ pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
                     format!("holds `{a}` within -1 .. 1, with derivative 0 beyond")
                 }
                 // The text of a constraint has no `abs`.
-                K::Call(Function::Abs, a) if a.span == e.span => return,
+                K::Call(Function::Abs, a) if a.span == e.span => continue,
                 K::Call(Function::Abs, a) => format!("has derivative 0 where `{}` is 0", text(a)),
                 K::Call(Function::Sign | Function::Step, a) => {
                     format!("jumps, with derivative 0, where `{}` passes 0", text(a))
@@ -476,14 +476,14 @@ pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
                 K::Min(a, b) | K::Max(a, b) => {
                     format!("has a kink where `{}` equals `{}`", text(a), text(b))
                 }
-                _ => return,
+                _ => continue,
             };
             points.push(SingularPoint {
                 span: e.span,
                 text: text(e),
                 what,
             });
-        });
+        }
     }
     points.sort_by_key(|p| p.span);
     points.dedup();

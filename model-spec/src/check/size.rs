@@ -162,7 +162,7 @@ impl Sizes {
         };
         let merges = matches!(e.kind, K::Add(..) | K::Sub(..) | K::Mul(..) | K::Div(..));
         let mut sizes = Vec::with_capacity(3);
-        e.children(&mut |child| {
+        for child in e.children() {
             let size = self.of(child);
             if merges && matches!(child.kind, K::AuxVariable(_)) {
                 let parts = size.terms.max(size.factors);
@@ -170,7 +170,7 @@ impl Sizes {
                 self.count(Work::of(merged, size.factors));
             }
             sizes.push(size);
-        });
+        }
         let [a, b, c] = [0, 1, 2].map(|k| sizes.get(k).copied().unwrap_or(ATOM));
         let mut derivative = None;
         let (own, size) = match &e.kind {

@@ -345,11 +345,13 @@ impl<'a> Checker<'a> {
 /// Unknowns of a system in an expression; `known` has those of the auxiliary variables.
 pub(super) fn occurring(e: &Expr, system: usize, known: &[Vec<usize>]) -> Vec<usize> {
     let mut found = Vec::new();
-    e.walk(&mut |part| match &part.kind {
-        ExprKind::Unknown(of, k) if *of == system => found.push(*k),
-        ExprKind::AuxVariable(i) => found.extend(known.get(*i).into_iter().flatten()),
-        _ => {}
-    });
+    for part in e.nodes() {
+        match &part.kind {
+            ExprKind::Unknown(of, k) if *of == system => found.push(*k),
+            ExprKind::AuxVariable(i) => found.extend(known.get(*i).into_iter().flatten()),
+            _ => {}
+        }
+    }
     found.sort_unstable();
     found.dedup();
     found

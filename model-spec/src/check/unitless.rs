@@ -105,7 +105,9 @@ impl<'a> Checker<'a> {
                 return;
             }
             _ => {
-                e.children(&mut |child| self.unitless_operands(child, variables, names));
+                for child in e.children() {
+                    self.unitless_operands(child, variables, names);
+                }
                 return;
             }
         };

@@ -2,7 +2,7 @@
 
 use super::Change;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
-use crate::syntax::expand::{height, size};
+use crate::syntax::expand::height;
 use crate::syntax::reserved::PREVIOUS;
 use crate::syntax::{self, of_kind};
 
@@ -261,10 +261,12 @@ fn put_in(e: &mut Expr, old: &Expr, nodes: &mut usize, found: &mut bool) {
     }
     if matches!(&e.kind, ExprKind::Name(name) if name == PREVIOUS) {
         *found = true;
-        *nodes += size(old);
+        *nodes += old.nodes().count();
         e.kind = old.kind.clone();
         e.span = old.span;
         return;
     }
-    e.children_mut(&mut |child| put_in(child, old, nodes, found));
+    for child in e.children_mut() {
+        put_in(child, old, nodes, found);
+    }
 }

@@ -160,7 +160,9 @@ impl Standard {
             }
             _ => {}
         }
-        e.children_mut(&mut |child| self.rename(child));
+        for child in e.children_mut() {
+            self.rename(child);
+        }
     }
 
     fn rename_frame(&self, frame: &mut Name) {
@@ -177,7 +179,9 @@ pub(super) fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
         e.kind = value.kind.clone();
         return;
     }
-    e.children_mut(&mut |child| replace_names(child, by));
+    for child in e.children_mut() {
+        replace_names(child, by);
+    }
 }
 
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {

@@ -7,8 +7,8 @@ use crate::syntax::of_kind;
 use crate::unit::Unit;
 
 /// Function body of [`Expr::children`] and [`Expr::children_mut`].
-macro_rules! visit_children {
-    ($kind:expr, $visit:expr, $iter:ident) => {{
+macro_rules! children {
+    ($kind:expr, $iter:ident) => {{
         use ExprKind as K;
         match $kind {
             K::Number { .. }
@@ -27,19 +27,21 @@ macro_rules! visit_children {
             | K::AngularVelocity
             | K::SpecificForce
             | K::AngularAcceleration
-            | K::Marker => {}
-            K::Components(parts) | K::Ratio(parts) => parts.$iter().for_each($visit),
+            | K::Marker => Vec::new(),
+            K::Components(parts) | K::Ratio(parts) => parts.$iter().collect(),
             K::Neg(a)
             | K::Pow(a, _)
             | K::Norm(a)
             | K::Component(a, _)
             | K::Reexpress(a)
             | K::Partial(a, _)
-            | K::Call(_, a) => $visit(a),
-            K::BodyRate(_, loads) => loads.$iter().for_each($visit),
+            | K::Direction(a, None)
+            | K::Call(_, a) => vec![a],
+            K::BodyRate(_, loads) => loads.$iter().collect(),
             K::Rate(a, _, rates) => {
-                $visit(a);
-                rates.$iter().for_each($visit);
+                let mut all: Vec<_> = rates.$iter().collect();
+                all.insert(0, a);
+                all
             }
             K::Add(a, b)
             | K::Sub(a, b)
@@ -51,16 +53,8 @@ macro_rules! visit_children {
             | K::Lookup(_, a, b)
             | K::Atan2(a, b)
             | K::Min(a, b)
-            | K::Max(a, b) => {
-                $visit(a);
-                $visit(b);
-            }
-            K::Direction(a, otherwise) => {
-                $visit(a);
-                if let Some(otherwise) = otherwise {
-                    $visit(otherwise);
-                }
-            }
+            | K::Max(a, b)
+            | K::Direction(a, Some(b)) => vec![a, b],
         }
     }};
 }
@@ -95,20 +89,24 @@ macro_rules! collect_expressions {
 }
 
 impl Expr {
-    /// Calls `visit` on the expression and all its subexpressions, each before its own subexpressions.
-    pub fn walk<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
-        visit(self);
-        self.children(&mut |child| child.walk(visit));
+    /// Iterates over the expression and all its subexpressions, each before its own subexpressions.
+    pub fn nodes(&self) -> impl Iterator<Item = &Expr> {
+        let mut open = vec![self];
+        std::iter::from_fn(move || {
+            let next = open.pop()?;
+            open.extend(next.children().into_iter().rev());
+            Some(next)
+        })
     }
 
-    /// Calls `visit` on each direct subexpression, from left to right.
-    pub fn children<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
-        visit_children!(&self.kind, visit, iter);
+    /// Direct subexpressions, from left to right.
+    pub fn children(&self) -> Vec<&Expr> {
+        children!(&self.kind, iter)
     }
 
-    /// Calls `visit` on each direct subexpression, from left to right, for modification.
-    pub fn children_mut<'a>(&'a mut self, visit: &mut dyn FnMut(&'a mut Expr)) {
-        visit_children!(&mut self.kind, visit, iter_mut);
+    /// Mutable [`Expr::children`].
+    pub fn children_mut(&mut self) -> Vec<&mut Expr> {
+        children!(&mut self.kind, iter_mut)
     }
 
     /// Whether two expressions are structurally equal; source spans are ignored.
@@ -136,9 +134,7 @@ impl Expr {
         if !kinds || self.shape != other.shape {
             return false;
         }
-        let (mut ours, mut theirs) = (Vec::new(), Vec::new());
-        self.children(&mut |c| ours.push(c));
-        other.children(&mut |c| theirs.push(c));
+        let (ours, theirs) = (self.children(), other.children());
         ours.len() == theirs.len() && ours.iter().zip(theirs).all(|(a, b)| a.same(b))
     }
 }

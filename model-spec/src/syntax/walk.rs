@@ -101,35 +101,42 @@ impl File {
 }
 
 /// Function body of [`Expr::children`] and [`Expr::children_mut`], which differ only in the kind of reference.
-macro_rules! visit_children {
-    ($kind:expr, $visit:expr, $iter:ident) => {
+macro_rules! children {
+    ($kind:expr, $iter:ident) => {
         match $kind {
-            ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Derivative(_) => {}
+            ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Derivative(_) => Vec::new(),
             ExprKind::Part(of, _)
             | ExprKind::Neg(of)
             | ExprKind::Sum(_, of)
-            | ExprKind::Ascribed(of, _) => $visit(of),
-            ExprKind::Components(parts, _) => parts.$iter().for_each($visit),
-            ExprKind::Binary(_, a, b) => {
-                $visit(a);
-                $visit(b);
-            }
+            | ExprKind::Ascribed(of, _) => vec![of],
+            ExprKind::Components(parts, _) => parts.$iter().collect(),
+            ExprKind::Binary(_, a, b) => vec![a, b],
             ExprKind::Call(_, arguments) | ExprKind::Element(_, arguments) => {
-                arguments.$iter().for_each($visit)
+                arguments.$iter().collect()
             }
         }
     };
 }
 
 impl Expr {
-    /// Calls `visit` on each direct subexpression, from left to right.
-    pub fn children<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
-        visit_children!(&self.kind, visit, iter);
+    /// Iterates over the expression and all its subexpressions, each before its own subexpressions.
+    pub fn nodes(&self) -> impl Iterator<Item = &Expr> {
+        let mut open = vec![self];
+        std::iter::from_fn(move || {
+            let next = open.pop()?;
+            open.extend(next.children().into_iter().rev());
+            Some(next)
+        })
     }
 
-    /// Calls `visit` with a mutable reference to each direct subexpression, from left to right.
-    pub fn children_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
-        visit_children!(&mut self.kind, visit, iter_mut);
+    /// Direct subexpressions, from left to right.
+    pub fn children(&self) -> Vec<&Expr> {
+        children!(&self.kind, iter)
+    }
+
+    /// Mutable [`Expr::children`].
+    pub fn children_mut(&mut self) -> Vec<&mut Expr> {
+        children!(&mut self.kind, iter_mut)
     }
 }
 

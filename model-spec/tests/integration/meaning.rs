@@ -143,10 +143,8 @@ fn quantities_stand_after_those_that_they_use() {
         .collect();
     assert_eq!(order, ["drag", "a", "b", "c"]);
     for (i, named) in model.aux_variables.iter().enumerate() {
-        let mut stack = vec![&named.value];
-        while let Some(e) = stack.pop() {
+        for e in named.value.nodes() {
             assert!(!matches!(e.kind, ExprKind::AuxVariable(j) if j >= i));
-            e.children(&mut |c| stack.push(c));
         }
     }
 }

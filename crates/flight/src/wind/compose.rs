@@ -140,7 +140,9 @@ fn insert(e: &mut Expr, lets: &HashMap<&str, ExprKind>) {
     {
         e.kind = value.clone();
     }
-    e.children_mut(&mut |child| insert(child, lets));
+    for child in e.children_mut() {
+        insert(child, lets);
+    }
 }
 
 /// The two effects that together define the gust velocity `gust_velocity`.

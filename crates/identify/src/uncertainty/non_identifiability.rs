@@ -163,7 +163,11 @@ impl<'m> Found<'m> {
             ExprKind::Coefficient(i) => self.coefficients.push(i),
             ExprKind::AuxVariable(i) => self.quantities.push(&model.aux_variables[i].name),
             ExprKind::State(i) => self.quantities.push(&model.states[i].name),
-            _ => expression.children(&mut |child| self.walk(model, child)),
+            _ => {
+                for child in expression.children() {
+                    self.walk(model, child);
+                }
+            }
         }
     }
 }

@@ -62,13 +62,13 @@ impl Reach {
                 found.insert(("function", function.to_owned()));
             }
             // Only `der(…)` refers to the equation of a state; the name of the state does not.
-            let mut used = BTreeSet::new();
-            if let Some(value) = value(item) {
-                derivatives(value, &mut used);
-            } else if let ItemKind::Solve(own) = &item.kind {
-                own.sides().for_each(|side| derivatives(side, &mut used));
-            }
-            found.retain(|k| k.0 != "der" || used.contains(&k.1));
+            let sides: Vec<&Expr> = match (value(item), &item.kind) {
+                (None, ItemKind::Solve(own)) => own.sides().collect(),
+                (value, _) => value.into_iter().collect(),
+            };
+            let parts = sides.into_iter().flat_map(Expr::nodes);
+            let used: BTreeSet<&str> = parts.filter_map(derivative).collect();
+            found.retain(|k| k.0 != "der" || used.contains(k.1.as_str()));
             uses.insert(key.clone(), found);
         }
         let roots = rows.iter().enumerate().map(|(k, row)| {
@@ -95,11 +95,11 @@ impl Reach {
     }
 }
 
-fn derivatives(e: &Expr, out: &mut BTreeSet<String>) {
-    if let ExprKind::Derivative(state) = &e.kind {
-        out.insert(state.text.clone());
+fn derivative(e: &Expr) -> Option<&str> {
+    match &e.kind {
+        ExprKind::Derivative(state) => Some(&state.text),
+        _ => None,
     }
-    e.children(&mut |child| derivatives(child, out));
 }
 
 /// Added, removed and changed statements on which the row depends in one of the models, with their terms that differ.

@@ -55,9 +55,7 @@ fn one_part<'a>(old: &'a Expr, new: &'a Expr) -> Option<(&'a Expr, &'a Expr)> {
         (ExprKind::Call(a, _), ExprKind::Call(b, _)) if a.text == b.text => {}
         _ => return None,
     }
-    let (mut olds, mut news) = (Vec::new(), Vec::new());
-    old.children(&mut |child| olds.push(child));
-    new.children(&mut |child| news.push(child));
+    let (olds, news) = (old.children(), new.children());
     let differ = |(a, b): &(&Expr, &Expr)| a.to_string() != b.to_string();
     let is_equal_count = olds.len() == news.len();
     let mut parts = olds.into_iter().zip(news).filter(differ);

@@ -19,11 +19,15 @@ pub fn everywhere<'s>(
         own.how = format!("`{}` {}", text(e.span), own.how);
     }
     *serial += 1;
-    let mut scratch = e.clone();
-    for (k, child) in children(&mut scratch).into_iter().enumerate() {
+    let mut children = e.children();
+    if let ExprKind::Binary(BinaryOp::Pow, ..) = e.kind {
+        // An exponent is a literal and is mutated together with its power.
+        children.truncate(1);
+    }
+    for (k, child) in children.into_iter().enumerate() {
         for inner in everywhere(child, names, item, text, serial) {
             let mut to = e.clone();
-            *children(&mut to).swap_remove(k) = inner.to;
+            *to.children_mut().swap_remove(k) = inner.to;
             out.push(Mutation { to, ..inner });
         }
     }
@@ -194,22 +198,4 @@ fn times(e: &Expr, factor: &str) -> Expr {
         e,
         ExprKind::Binary(BinaryOp::Mul, factor, Box::new(e.clone())),
     )
-}
-
-/// Direct subexpressions that are mutated separately, not the exponent of a power.
-pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
-    match &mut e.kind {
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Derivative(_) => Vec::new(),
-        ExprKind::Part(a, _)
-        | ExprKind::Neg(a)
-        | ExprKind::Sum(_, a)
-        | ExprKind::Ascribed(a, _) => vec![a],
-        ExprKind::Components(parts, _) => parts.iter_mut().collect(),
-        // An exponent is a literal and is mutated together with its power.
-        ExprKind::Binary(BinaryOp::Pow, a, _) => vec![a],
-        ExprKind::Binary(_, a, b) => vec![a, b],
-        ExprKind::Call(_, arguments) | ExprKind::Element(_, arguments) => {
-            arguments.iter_mut().collect()
-        }
-    }
 }

@@ -1,6 +1,5 @@
 //! Generates small corrections of an equation, as candidate explanations of a misprint.
 
-use crate::expressions::{children, children_mut};
 use model_spec::model::{Expr, ExprKind, Function, Model};
 
 /// A small change, such as another sign, of an expression in a model file that may correct a misprint.
@@ -43,7 +42,7 @@ impl<'a> Editor<'a> {
             e.kind,
             ExprKind::Add(..) | ExprKind::Sub(..) | ExprKind::Neg(..)
         );
-        for (k, child) in children(e).into_iter().enumerate() {
+        for (k, child) in e.children().into_iter().enumerate() {
             // The operands of a sum are terms; subexpressions of a term belong to that term.
             let inner = match is_sum {
                 true => self.text(child),
@@ -51,7 +50,7 @@ impl<'a> Editor<'a> {
             };
             for edit in self.edits(child, &inner) {
                 let mut to = e.clone();
-                *children_mut(&mut to).swap_remove(k) = edit.to;
+                *to.children_mut().swap_remove(k) = edit.to;
                 out.push(Edit { to, ..edit });
             }
         }
@@ -106,7 +105,7 @@ impl<'a> Editor<'a> {
             for (k, part) in [a, b].into_iter().enumerate() {
                 for (name, factor) in &self.factors {
                     let mut to = e.clone();
-                    *children_mut(&mut to).swap_remove(k) = Expr {
+                    *to.children_mut().swap_remove(k) = Expr {
                         kind: ExprKind::Mul(part.clone(), Box::new(factor.clone())),
                         ..(**part).clone()
                     };
@@ -134,7 +133,7 @@ impl<'a> Editor<'a> {
             let mut to = divided(part);
             for level in outer.iter().rev() {
                 let mut rebuilt = (*level).clone();
-                *children_mut(&mut rebuilt).swap_remove(0) = to;
+                *rebuilt.children_mut().swap_remove(0) = to;
                 to = rebuilt;
             }
             let says = format!(

@@ -216,5 +216,7 @@ fn replace(e: &mut Expr, given: &[ExprKind]) {
     if let ExprKind::AuxVariable(index) = e.kind {
         e.kind = given[index].clone();
     }
-    e.children_mut(&mut |child| replace(child, given));
+    for child in e.children_mut() {
+        replace(child, given);
+    }
 }

@@ -66,11 +66,8 @@ impl<'a> Switch<'a> {
 }
 
 fn switches(model: &Model) -> Vec<Switch<'_>> {
-    let mut all = Vec::new();
-    for expression in model.expressions() {
-        expression.walk(&mut |e| all.extend(Switch::of(model, e)));
-    }
-    all
+    let parts = model.expressions().into_iter().flat_map(Expr::nodes);
+    parts.flat_map(|e| Switch::of(model, e)).collect()
 }
 
 /// A point on the way between two, beside one of the switches between them, on either side and as far from it as chance

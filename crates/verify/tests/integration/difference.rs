@@ -133,12 +133,6 @@ fn rewritings(e: &Expr) -> Vec<Expr> {
     }
 }
 
-fn count(e: &Expr) -> usize {
-    let mut n = 1;
-    e.children(&mut |child| n += count(child));
-    n
-}
-
 /// Replaces the subexpression with index `n`, in preorder, by the expression that `f` returns. Returns false if `f`
 /// returns `None` or there is no such subexpression.
 fn replace(e: &mut Expr, n: usize, f: &mut dyn FnMut(&Expr) -> Option<Expr>) -> bool {
@@ -152,13 +146,8 @@ fn replace(e: &mut Expr, n: usize, f: &mut dyn FnMut(&Expr) -> Option<Expr>) -> 
             return Some(is_made);
         }
         *n -= 1;
-        let mut done = None;
-        e.children_mut(&mut |child| {
-            if done.is_none() {
-                done = walk(child, n, f);
-            }
-        });
-        done
+        let mut children = e.children_mut().into_iter();
+        children.find_map(|child| walk(child, n, f))
     }
     let mut n = n;
     walk(e, &mut n, f).unwrap_or(false)
@@ -169,7 +158,7 @@ fn factored(file: &File) -> Vec<(String, String)> {
     let mut out = Vec::new();
     for index in 0..file.items.len() {
         let mut item = file.items[index].clone();
-        let Some(size) = value_of(&mut item).map(|e| count(e)) else {
+        let Some(size) = value_of(&mut item).map(|e| e.nodes().count()) else {
             continue;
         };
         for n in 0..size {
@@ -220,7 +209,7 @@ fn reframed_and_inlined(file: &File) -> Vec<(String, String)> {
                     let Some(value) = value_of(other) else {
                         continue;
                     };
-                    for n in (0..count(value)).rev() {
+                    for n in (0..value.nodes().count()).rev() {
                         replace(value, n, &mut |e| match &e.kind {
                             ExprKind::Name(name) if *name == named.name.text => {
                                 Some(named.value.clone())

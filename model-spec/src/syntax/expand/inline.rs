@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use super::{Budget, height, of_template, size};
+use super::{Budget, height, of_template};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{Expr, ExprKind, File, Function, Item, ItemKind, Let, Name};
 use crate::syntax::{MAX_HEIGHT, of_kind};
@@ -76,10 +76,17 @@ impl<'b> Inliner<'b> {
     }
 
     fn has_calls(&self, e: &Expr) -> bool {
-        let own = |name: &Name| self.functions.contains_key(&name.text);
-        let mut found = matches!(&e.kind, ExprKind::Call(name, _) if own(name));
-        e.children(&mut |child| found = found || self.has_calls(child));
-        found
+        self.calls_in(e).next().is_some()
+    }
+
+    /// Calls of functions of the file in an expression: the name of each function, with the span of the call.
+    fn calls_in(&self, e: &Expr) -> impl Iterator<Item = (&str, Span)> {
+        e.nodes().filter_map(|part| match &part.kind {
+            ExprKind::Call(name, _) if self.functions.contains_key(&name.text) => {
+                Some((name.text.as_str(), part.span))
+            }
+            _ => None,
+        })
     }
 
     fn item(&mut self, item: &Item) -> Vec<Item> {
@@ -116,7 +123,9 @@ impl<'b> Inliner<'b> {
 
     /// Replaces the calls in an expression, arguments first.
     fn expression(&mut self, e: &mut Expr) {
-        e.children_mut(&mut |child| self.expression(child));
+        for child in e.children_mut() {
+            self.expression(child);
+        }
         if self.budget.fault.is_some() {
             return;
         }
@@ -173,7 +182,7 @@ impl<'b> Inliner<'b> {
     /// Copy of an expression of a function with the names of this call, and without calls.
     fn copy(&mut self, e: &Expr, names: &HashMap<&str, String>, call: Span) -> Expr {
         let mut own = e.clone();
-        if self.budget.spend(size(&own), call) {
+        if self.budget.spend(own.nodes().count(), call) {
             rename(&mut own, names);
             self.expression(&mut own);
         }
@@ -207,16 +216,13 @@ impl<'b> Inliner<'b> {
             return Some(Diagnostic::new(Kind::Limit, at, message));
         }
         let function = Arc::clone(self.functions.get(&name)?);
-        let mut calls = Vec::new();
         let values = function.lets.iter().map(|own| &own.value);
-        for value in values.chain([&function.value]) {
-            self.calls_in(value, &mut calls);
-        }
-        for (called, span) in calls {
+        let values = values.chain([&function.value]);
+        for (called, span) in values.flat_map(|value| self.calls_in(value)) {
             if let Some(start) = path.iter().position(|own| own.0 == called) {
                 return Some(self.cycle(&path[start..], span));
             }
-            path.push((called, span));
+            path.push((called.to_owned(), span));
             let fault = self.deeper(path, finished);
             path.pop();
             if fault.is_some() {
@@ -225,15 +231,6 @@ impl<'b> Inliner<'b> {
         }
         finished.insert(name);
         None
-    }
-
-    fn calls_in(&self, e: &Expr, calls: &mut Vec<(String, Span)>) {
-        if let ExprKind::Call(name, _) = &e.kind
-            && self.functions.contains_key(&name.text)
-        {
-            calls.push((name.text.clone(), e.span));
-        }
-        e.children(&mut |child| self.calls_in(child, calls));
     }
 
     fn cycle(&self, cycle: &[(String, Span)], last: Span) -> Diagnostic {
@@ -276,7 +273,9 @@ fn rename(e: &mut Expr, names: &HashMap<&str, String>) {
         }
         return;
     }
-    e.children_mut(&mut |child| rename(child, names));
+    for child in e.children_mut() {
+        rename(child, names);
+    }
 }
 
 /// Joins the statements of each item. What was written as one array, and had calls in its elements, stays one template.

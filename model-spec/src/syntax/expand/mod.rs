@@ -92,12 +92,13 @@ pub(crate) fn is_needed(file: &File) -> bool {
 }
 
 fn has_indices(kind: &ItemKind) -> bool {
-    fn in_expression(e: &Expr) -> bool {
-        let mut found = matches!(e.kind, ExprKind::Element(..) | ExprKind::Sum(..));
-        e.children(&mut |child| found = found || in_expression(child));
-        found
-    }
-    matches!(kind, ItemKind::Array(_)) || kind.roots().into_iter().any(in_expression)
+    let has_index = |e: &Expr| matches!(e.kind, ExprKind::Element(..) | ExprKind::Sum(..));
+    matches!(kind, ItemKind::Array(_))
+        || kind
+            .roots()
+            .into_iter()
+            .flat_map(Expr::nodes)
+            .any(has_index)
 }
 
 /// Names that an index cannot have.
@@ -144,14 +145,6 @@ fn of_template(written: Item, items: Vec<(Item, Option<Span>)>) -> Vec<Item> {
     items.into_iter().map(mark).collect()
 }
 
-pub(crate) fn size(e: &Expr) -> usize {
-    let mut nodes = 1;
-    e.children(&mut |child| nodes += size(child));
-    nodes
-}
-
 pub(crate) fn height(e: &Expr) -> u32 {
-    let mut highest = 0;
-    e.children(&mut |child| highest = highest.max(height(child)));
-    1 + highest
+    1 + e.children().into_iter().map(height).max().unwrap_or(0)
 }

@@ -164,12 +164,16 @@ impl<'b> Unroller<'b> {
                     state.map(|state| ExprKind::Derivative(Name::new(state, *span)))
                 }
                 _ => {
-                    e.children_mut(&mut |child| self.expression(child));
+                    for child in e.children_mut() {
+                        self.expression(child);
+                    }
                     None
                 }
             },
             _ => {
-                e.children_mut(&mut |child| self.expression(child));
+                for child in e.children_mut() {
+                    self.expression(child);
+                }
                 None
             }
         };

@@ -125,7 +125,11 @@ fn collect<'m>(model: &'m Model, expr: &'m Expr, effect: usize, found: &mut Vec<
         {
             found.push(kind);
         }
-        _ => expr.children(&mut |child| collect(model, child, effect, found)),
+        _ => {
+            for child in expr.children() {
+                collect(model, child, effect, found);
+            }
+        }
     }
 }
 

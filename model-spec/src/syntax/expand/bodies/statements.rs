@@ -148,5 +148,7 @@ fn place(e: &mut Expr, span: Span) {
         }
         _ => {}
     }
-    e.children_mut(&mut |child| place(child, span));
+    for child in e.children_mut() {
+        place(child, span);
+    }
 }
