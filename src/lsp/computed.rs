@@ -4,7 +4,7 @@ use codegen::check_cases;
 use codegen::compile::compile_every_value;
 use codegen::count::count_for;
 use model_spec::diagnostic::{Diagnostic, Kind};
-use model_spec::model::Model;
+use model_spec::model::{Expr, Model};
 
 /// Greatest number of nodes of the expressions of a model that is compiled while somebody types.
 const MAX_NODES: usize = 5000;
@@ -40,14 +40,11 @@ pub fn failing_checks(model: &Model) -> Vec<Diagnostic> {
 }
 
 fn is_large(model: &Model) -> bool {
-    let mut nodes = 0;
     let loads = model.forces.iter().chain(&model.moments);
     let values = { model.aux_variables.iter() }.map(|own| &own.value);
     let values = values.chain(loads.map(|own| &own.value));
     let values = values.chain(model.equations.iter().map(|own| &own.value));
     let values = values.chain(model.systems.iter().flat_map(|own| &own.equations));
-    for value in values.chain(model.limits.iter().map(|own| &own.value)) {
-        value.walk(&mut |_| nodes += 1);
-    }
-    nodes > MAX_NODES
+    let values = values.chain(model.limits.iter().map(|own| &own.value));
+    values.flat_map(Expr::nodes).count() > MAX_NODES
 }

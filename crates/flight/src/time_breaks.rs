@@ -209,23 +209,19 @@ impl<'m> Reader<'m> {
 
     /// Whether an expression may change with the time where the state rests.
     fn has_time(&self, e: &Expr) -> bool {
-        let mut found = false;
-        e.walk(&mut |e| {
-            found |= match &e.kind {
-                ExprKind::Time => true,
-                ExprKind::AuxVariable(i) => self.times.get(*i).is_none_or(|has_time| *has_time),
-                // They stand for equations, loads or angles that are not read here.
-                ExprKind::Unknown(..)
-                | ExprKind::Determinacy(_)
-                | ExprKind::Rate(..)
-                | ExprKind::BodyRate(..)
-                | ExprKind::Axis(..)
-                | ExprKind::SpecificForce
-                | ExprKind::AngularAcceleration => true,
-                _ => false,
-            };
-        });
-        found
+        e.nodes().any(|e| match &e.kind {
+            ExprKind::Time => true,
+            ExprKind::AuxVariable(i) => self.times.get(*i).is_none_or(|has_time| *has_time),
+            // They stand for equations, loads or angles that are not read here.
+            ExprKind::Unknown(..)
+            | ExprKind::Determinacy(_)
+            | ExprKind::Rate(..)
+            | ExprKind::BodyRate(..)
+            | ExprKind::Axis(..)
+            | ExprKind::SpecificForce
+            | ExprKind::AngularAcceleration => true,
+            _ => false,
+        })
     }
 
     fn read(&self, e: &Expr) -> Option<InTime> {

@@ -7,7 +7,7 @@ mod body;
 
 use crate::frames::{PlacedFrame, place_frames};
 use crate::point::Point;
-use crate::scalar::{Dual, Infinitesimals, Interpolant, Real, Surface, call};
+use crate::scalar::{Infinitesimals, Interpolant, Real, Surface, call};
 use crate::system::{Solved, eliminate};
 use model_spec::layout::{depending_on_unknown, depends_on_accelerations, needed};
 use model_spec::model::{Expr, ExprKind, Function, Load, Model, Shape, Table};
@@ -169,9 +169,8 @@ impl<'a, T: Real> Tree<'a, T> {
     ) -> Value<T> {
         let mut point = self.point.map(T::jet);
         direct(&mut point, T::Jet::epsilon(self.level));
-        let unknowns = self.unknowns.iter();
-        let unknowns = unknowns.map(|own| own.iter().map(|value| value.jet()).collect());
-        let mut tree = Tree::unevaluated(self.model, &point, unknowns.collect(), self.level + 1);
+        let unknowns = jets(&self.unknowns);
+        let mut tree = Tree::unevaluated(self.model, &point, unknowns, self.level + 1);
         tree.evaluate_for(&[of]);
         let part = |value: T::Jet| T::of_jet(value.coefficient(self.level));
         tree.value(of).map(part)
@@ -384,7 +383,14 @@ pub fn norm<T: Real>(v: &Vector3<T>) -> T {
     v.dot(v).sqrt()
 }
 
-/// Solves a system of a model at a point: its equations are evaluated with dual numbers for their coefficients; `known` has the unknowns of the systems before it.
+/// Values of unknowns, as numbers with derivatives.
+fn jets<T: Real>(unknowns: &[Vec<T>]) -> Vec<Vec<T::Jet>> {
+    let lifted = |own: &Vec<T>| own.iter().map(|value| value.jet()).collect();
+    unknowns.iter().map(lifted).collect()
+}
+
+/// Solves a system of a model at a point: its equations are evaluated with an infinitesimal for their coefficients;
+/// `known` has the unknowns of the systems before it.
 /// What does not depend on an unknown is evaluated once, and not for each of them.
 fn solved<T: Real>(
     model: &Model,
@@ -401,22 +407,22 @@ fn solved<T: Real>(
     let values = system.equations.iter().map(|e| without.value(e));
     let constants = values.flat_map(Value::components);
 
-    let point = point.map(Dual::constant);
-    let lifted = |values: &Vec<T>| values.iter().copied().map(Dual::constant).collect();
-    let unknowns: Vec<Vec<Dual<T>>> = unknowns.iter().map(lifted).collect();
+    let point = point.map(T::jet);
+    let unknowns = jets(&unknowns);
+    let coefficient = |value: T::Jet| T::of_jet(value.coefficient(T::Jet::UNKNOWN));
     let column = |k: usize| -> Vec<T> {
         let (variables, equations) = depending_on_unknown(model, own, k);
         let fixed = without.aux_variables.iter().enumerate();
-        let fixed: Vec<(usize, Value<Dual<T>>)> = fixed
+        let fixed: Vec<(usize, Value<T::Jet>)> = fixed
             .filter(|(index, _)| !variables[*index] || given.iter().any(|(i, _)| i == index))
-            .map(|(index, value)| (index, value.map(Dual::constant)))
+            .map(|(index, value)| (index, value.map(T::jet)))
             .collect();
         let mut unknowns = unknowns.clone();
-        unknowns[own][k].derivative = T::one();
+        unknowns[own][k] += T::Jet::epsilon(T::Jet::UNKNOWN);
         let tree = Tree::evaluated(model, &point, &fixed, unknowns);
         let own = system.equations.iter().zip(equations);
         let coefficients = own.flat_map(|(e, depends)| match (depends, e.shape) {
-            (true, _) => tree.value(e).map(|of| of.derivative).components(),
+            (true, _) => tree.value(e).map(coefficient).components(),
             (false, Shape::Scalar) => vec![T::zero()],
             (false, Shape::Vector(_)) => vec![T::zero(); 3],
         });

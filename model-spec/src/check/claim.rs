@@ -104,7 +104,8 @@ impl<'a> Checker<'a> {
                 of_equations.contains(&i) || depends(&variable.value, &follows, &|_| false);
         }
         let follows = |e: &&Expr| matches!(e.kind, ExprKind::AuxVariable(i) if follows[i]);
-        if let Some(culprit) = e.nodes().find(follows) {
+        let culprit = e.nodes().find(follows);
+        if let Some(culprit) = culprit {
             self.circular(&self.text(culprit.span), culprit.span);
         }
         culprit.is_some()

@@ -3,7 +3,7 @@
 //! that may be, or the user trusts the data, the flights are fitted first as if nothing touched them; a flight whose
 //! residuals after the contact are noise keeps its samples.
 
-use model_spec::model::{ExprKind, Function, Model};
+use model_spec::model::{Expr, ExprKind, Function, Model};
 
 use super::FitError;
 use super::converged;
@@ -103,18 +103,16 @@ fn is_noise(
 /// Whether motion that a model predicts may look like one that something touched: it names the time or switches, reads
 /// tables, holds constraints, or states every equation, of which nothing is known.
 fn may_change_suddenly(model: &Model) -> bool {
-    let mut may = !model.systems.is_empty() || model.body.is_none();
-    for root in model.expressions() {
-        root.walk(&mut |e| {
-            may |= matches!(
-                e.kind,
-                ExprKind::Time
-                    | ExprKind::Min(..)
-                    | ExprKind::Max(..)
-                    | ExprKind::Lookup(..)
-                    | ExprKind::Call(Function::Step | Function::Sign | Function::Table(_), _)
-            );
-        });
-    }
-    may
+    let may_switch = |e: &Expr| {
+        matches!(
+            e.kind,
+            ExprKind::Time
+                | ExprKind::Min(..)
+                | ExprKind::Max(..)
+                | ExprKind::Lookup(..)
+                | ExprKind::Call(Function::Step | Function::Sign | Function::Table(_), _)
+        )
+    };
+    let mut parts = model.expressions().into_iter().flat_map(Expr::nodes);
+    !model.systems.is_empty() || model.body.is_none() || parts.any(may_switch)
 }

@@ -2,7 +2,7 @@
 //! together are compared with gravity, a single one with the loads fitted to all.
 
 use flight::parallel;
-use model_spec::model::{ExprKind, FrameKind, Model};
+use model_spec::model::{Expr, ExprKind, FrameKind, Model};
 use model_spec::unit::Unit;
 use nalgebra::{Matrix3, Vector3};
 
@@ -54,10 +54,8 @@ fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
 
 /// Whether the loads may be those of one body with constant coefficients, as the regression assumes.
 fn has_steady_loads(model: &Model) -> bool {
-    let mut has_time = false;
-    for root in model.expressions() {
-        root.walk(&mut |e| has_time |= matches!(e.kind, ExprKind::Time));
-    }
+    let mut parts = model.expressions().into_iter().flat_map(Expr::nodes);
+    let has_time = parts.any(|e| matches!(e.kind, ExprKind::Time));
     let lengths = model
         .states
         .iter()

@@ -68,7 +68,7 @@ impl<T: Real> Real for Dual<T> {
 
     fn elementary(self, function: Elementary) -> Self {
         let value = self.value.elementary(function);
-        if function.is_constant_at(self.re()) {
+        if self.derivative.is_nothing() || function.is_constant_at(self.re()) {
             return Self::constant(value);
         }
         Self {

@@ -1,25 +1,55 @@
-//! Numbers with derivatives within one another, for `der(…)` and `partial(…)`: three infinitesimals ε whose squares are 0.
+//! Numbers with derivatives within one another, for `der(…)`, `partial(…)` and the unknowns of systems: infinitesimals ε
+//! whose squares are 0.
 
 use super::table::Interpolant;
 use super::{Dual, Elementary, Field, Infinitesimals, Real};
-use num_traits::One;
 
-type Nested<T> = Dual<Dual<Dual<T>>>;
+type Nested<T> = Dual<Dual<Dual<Dual<T>>>>;
 
-/// A number with up to three derivatives within one another, each along an infinitesimal of its own.
+/// A number with up to four derivatives within one another, each along an infinitesimal of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Jet<T>(pub Nested<T>);
+pub struct Jet<T>(Nested<T>);
 
 impl<T: Field> Jet<T> {
     /// A number without derivatives.
     pub fn constant(value: T) -> Self {
-        Self(Dual::constant(Dual::constant(Dual::constant(value))))
+        let inner = Dual::constant(Dual::constant(value));
+        Self(Dual::constant(Dual::constant(inner)))
     }
 
     /// The number without its derivatives.
     pub fn value(self) -> T {
-        self.0.value.value.value
+        self.part(0)
     }
+
+    /// The number of which `part` gives the factor of each product of infinitesimals, whose bits are those of
+    /// [`bit`].
+    fn of_parts(part: impl Fn(usize) -> T) -> Self {
+        let one = |of| Dual::new(part(of), part(of | 1));
+        let two = |of| Dual::new(one(of), one(of | 2));
+        let three = |of| Dual::new(two(of), two(of | 4));
+        Self(Dual::new(three(0), three(8)))
+    }
+
+    /// Factor of a product of infinitesimals, whose bits are those of [`bit`].
+    fn part(self, of: usize) -> T {
+        fn side<U>(of: Dual<U>, is_derivative: bool) -> U {
+            if is_derivative {
+                of.derivative
+            } else {
+                of.value
+            }
+        }
+        let three = side(self.0, of & 8 != 0);
+        let two = side(three, of & 4 != 0);
+        let one = side(two, of & 2 != 0);
+        side(one, of & 1 != 0)
+    }
+}
+
+/// The bit of an infinitesimal; the first one is that of the outermost derivative.
+fn bit(level: usize) -> usize {
+    8 >> level
 }
 
 crate::operators!([T: Field] Jet<T> {
@@ -71,26 +101,26 @@ impl<T: Real> Real for Jet<T> {
 }
 
 impl<T: Real> Infinitesimals for Jet<T> {
+    const UNKNOWN: usize = 3;
+
     fn epsilon(level: usize) -> Self {
-        let (zero, one) = (Dual::constant(T::zero()), T::one());
-        Self(match level {
-            0 => Dual::new(Dual::constant(zero), Dual::one()),
-            1 => Dual::constant(Dual::new(zero, Dual::one())),
-            _ => Dual::constant(Dual::constant(Dual::new(T::zero(), one))),
+        Self::of_parts(|of| {
+            if of == bit(level) {
+                T::one()
+            } else {
+                T::zero()
+            }
         })
     }
 
     fn coefficient(self, level: usize) -> Self {
-        let Dual { value, derivative } = self.0;
-        let inner = |of: Dual<Dual<T>>| Dual::constant(of.derivative);
-        let innermost = |of: Dual<Dual<T>>| {
-            let part = |of: Dual<T>| Dual::constant(of.derivative);
-            Dual::new(part(of.value), part(of.derivative))
-        };
-        Self(match level {
-            0 => Dual::constant(derivative),
-            1 => Dual::new(inner(value), inner(derivative)),
-            _ => Dual::new(innermost(value), innermost(derivative)),
+        let bit = bit(level);
+        Self::of_parts(|of| {
+            if of & bit == 0 {
+                self.part(of | bit)
+            } else {
+                T::zero()
+            }
         })
     }
 }

@@ -127,7 +127,9 @@ pub trait Real: Field {
 
 /// A [`Real`] with infinitesimals, numbered from 0, whose squares are 0.
 pub trait Infinitesimals: Real<Jet = Self> {
-    /// The infinitesimal with the number `level`, at most 2.
+    /// Number of the last infinitesimal, that of an unknown of a system; those before it are for derivatives.
+    const UNKNOWN: usize;
+    /// The infinitesimal with the number `level`.
     fn epsilon(level: usize) -> Self;
     /// Factor of the infinitesimal with the number `level`.
     fn coefficient(self, level: usize) -> Self;

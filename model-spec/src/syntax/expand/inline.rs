@@ -80,7 +80,7 @@ impl<'b> Inliner<'b> {
     }
 
     /// Calls of functions of the file in an expression: the name of each function, with the span of the call.
-    fn calls_in(&self, e: &Expr) -> impl Iterator<Item = (&str, Span)> {
+    fn calls_in<'e>(&self, e: &'e Expr) -> impl Iterator<Item = (&'e str, Span)> {
         e.nodes().filter_map(|part| match &part.kind {
             ExprKind::Call(name, _) if self.functions.contains_key(&name.text) => {
                 Some((name.text.as_str(), part.span))
