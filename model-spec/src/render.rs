@@ -98,7 +98,7 @@ fn draw(
     }
     // Labels inside or on the line of the error first, then the others, each in source order.
     let mut labels: Vec<&diagnostic::Label> = diagnostic.labels.iter().collect();
-    labels.sort_by_key(|l| (!within(l.span, diagnostic.span) && !own(l), l.span));
+    labels.sort_by_key(|l| (!diagnostic.span.contains(l.span) && !own(l), l.span));
     for (i, label) in labels.into_iter().enumerate() {
         let color = if label.span == diagnostic.span {
             Color::Red
@@ -136,10 +136,6 @@ fn draw(
             out.push('\n');
         }
     }
-}
-
-fn within(inner: Span, outer: Span) -> bool {
-    inner.source == outer.source && inner.start >= outer.start && inner.end <= outer.end
 }
 
 struct Texts<'a>(&'a [(String, ariadne::Source<&'a str>)]);

@@ -237,8 +237,7 @@ impl Lowering<'_> {
 
     /// Angular velocity of the body, rad/s, in `Rotation::angular_velocity_frame`.
     pub(crate) fn spin(&mut self) -> Vector {
-        let model = self.model;
-        match model.body.as_ref().and_then(|body| body.rotation.as_ref()) {
+        match self.model.rotation() {
             Some(rotation) => frames::angular_velocity(
                 &mut self.graph,
                 &self.frames,

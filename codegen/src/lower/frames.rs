@@ -172,7 +172,7 @@ pub fn angular_velocity(
     let model = frames.model;
     let chain = path(model, of);
     // with a quaternion attitude, the angular velocity is a state
-    if let Some(rotation) = model.body.as_ref().and_then(|body| body.rotation.as_ref())
+    if let Some(rotation) = model.rotation()
         && let Some((states, frame)) = rotation.angular_velocity
     {
         let spin = states.map(|state| graph.symbol(Symbol::State(state as u32)));

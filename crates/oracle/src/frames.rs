@@ -77,7 +77,7 @@ pub fn place_frames<T: Real>(
                 }
             }
         });
-        let declared = model.body.as_ref().and_then(|b| b.rotation.as_ref());
+        let declared = model.rotation();
         if let Some((rotation, (components, frame))) =
             declared.and_then(|r| Some((r, r.angular_velocity?)))
             && rotation.body_frame == index

@@ -95,19 +95,12 @@ impl Checker<'_> {
 
     fn is_in_radians(&self, e: &Expr) -> bool {
         let term = match &e.kind {
-            ExprKind::AuxVariable(index) => match &self.let_units[*index] {
-                UnitOf::Term(term) => term,
-                _ => return false,
-            },
-            ExprKind::Param(index) => &self.params[*index],
-            ExprKind::Coefficient(index) => &self.coefficients[*index],
-            ExprKind::State(index) => &self.states[*index],
             ExprKind::Neg(of) => return self.is_in_radians(of),
             ExprKind::Atan2(..) => return true,
             ExprKind::Call(Function::Asin | Function::Acos | Function::Atan, _) => return true,
-            _ => return false,
+            kind => self.declared(kind).and_then(|(.., term)| term),
         };
-        self.known(term) == Some(Unit::RADIAN)
+        term.is_some_and(|term| self.known(term) == Some(Unit::RADIAN))
     }
 
     /// Value of a number, parameter or coefficient without a unit that is more than a turn in rad.

@@ -51,7 +51,7 @@ impl Checker<'_> {
         let Some(matrix) = self.inertia_entries(inertia, span) else {
             return;
         };
-        let rotation = self.model.body.as_ref().and_then(|b| b.rotation.as_ref());
+        let rotation = self.model.rotation();
         if let Some((body, frame)) = rotation.map(|r| (r.body_frame, r.inertia_frame)) {
             self.steady_inertia(&matrix, body, frame, inertia.frame.span);
         }
@@ -106,7 +106,7 @@ impl Checker<'_> {
     /// Checks that three rotations about different axes, or one quaternion, lead to the body, through every frame. With
     /// a quaternion, the body must have states of its angular velocity.
     pub fn attitude(&mut self, body: &ast::Body, parts: &Parts<'_>) {
-        let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
+        let Some(rotation) = self.model.rotation() else {
             return;
         };
         let (body_frame, angular) = (rotation.body_frame, rotation.angular_velocity);

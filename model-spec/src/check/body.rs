@@ -2,10 +2,10 @@
 
 use std::collections::HashSet;
 
-use super::elaborate::node;
+use super::elaborate::number;
 use super::{Checker, Typed};
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::model::{self, Expr, ExprKind, FlightAxes, Shape};
+use crate::model::{self, Expr, ExprKind, FlightAxes};
 use crate::syntax::ast::{self, BodyClass, InitialValues, ItemKind, Name};
 use crate::syntax::{Parts, of_kind};
 use crate::unit::Unit;
@@ -178,8 +178,7 @@ impl<'a> Checker<'a> {
             return;
         }
         self.attitude(body, &parts);
-        let rotation = { self.model.body.as_ref() }.and_then(|own| own.rotation.as_ref());
-        if let Some(frame) = rotation.map(|own| own.body_frame) {
+        if let Some(frame) = self.model.rotation().map(|own| own.body_frame) {
             let axes = self.flight_axes(frame, parts.axis, parts.forward);
             if let Some(own) = self.model.body.as_mut().and_then(|b| b.rotation.as_mut()) {
                 own.axes = axes.unwrap_or_default();
@@ -214,10 +213,7 @@ impl<'a> Checker<'a> {
     fn replaced(&mut self, earlier: usize, span: Span) {
         let later = self.diagnostics.split_off(earlier);
         if !later.is_empty() {
-            let is_within = |own: Span| {
-                own.source == span.source && span.start <= own.start && own.end <= span.end
-            };
-            self.diagnostics.retain(|fault| !is_within(fault.span));
+            self.diagnostics.retain(|fault| !span.contains(fault.span));
         }
         self.diagnostics.extend(later);
     }
@@ -280,7 +276,7 @@ impl<'a> Checker<'a> {
             | ExprKind::BodyRate(..)
             | ExprKind::Marker => Some(e.span),
             ExprKind::Param(i) => self.model.params[*i].varies.then_some(e.span),
-            ExprKind::AuxVariable(i) => self.varies[*i].then_some(e.span),
+            ExprKind::AuxVariable(i) => self.variables[*i].varies.then_some(e.span),
             _ => e.children().into_iter().find_map(|c| self.varying(c)),
         }
     }
@@ -288,7 +284,5 @@ impl<'a> Checker<'a> {
 
 /// Literal 0 in place of an entry that the file does not specify.
 pub(super) fn zero(span: Span) -> Expr {
-    let exact = Some((0, 1));
-    let value = 0.0;
-    node(ExprKind::Number { value, exact }, Shape::Scalar, span)
+    number(0.0, Some((0, 1)), Unit::ONE, span)
 }

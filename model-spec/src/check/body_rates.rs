@@ -29,8 +29,11 @@ impl Checker<'_> {
 
     /// States of the angular velocity of the body: its components, or the rates of the angles.
     fn angular_states(&self) -> Vec<usize> {
-        let rotation = { self.model.body.as_ref() }.and_then(|body| body.rotation.as_ref());
-        match rotation.map(|own| (own.body_frame, own.angular_velocity)) {
+        match self
+            .model
+            .rotation()
+            .map(|own| (own.body_frame, own.angular_velocity))
+        {
             None => Vec::new(),
             Some((_, Some((components, _)))) => components.to_vec(),
             Some((frame, None)) => self.rates_of_frame(frame),

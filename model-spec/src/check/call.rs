@@ -112,13 +112,7 @@ impl Checker<'_> {
         let unit = match function {
             Function::Abs => a.unit.clone(),
             Function::Sign | Function::Step => UnitOf::of(Unit::ONE),
-            Function::Sqrt => match a.unit.factor() {
-                Some(term) => {
-                    let root = term.power(Fraction::new(1, 2)?);
-                    self.in_range(root, call.span)
-                }
-                None => UnitOf::Faulty,
-            },
+            Function::Sqrt => self.powered(&a.unit, Fraction::new(1, 2)?, call.span),
             _ => {
                 // The unit of the result does not depend on the argument.
                 let should = match function {

@@ -113,7 +113,10 @@ impl<'a> Checker<'a> {
 
     fn claimed(&mut self, claim: &'a ast::Body) -> Option<model::Claim> {
         let part = |word: &str| claim.parts.iter().find(|p| p.words == word);
-        let mass = self.claimed_mass(part("mass")?);
+        let [mass] = part("mass")?.expressions()[..] else {
+            return None;
+        };
+        let mass = self.constant_of_body(mass, Unit::KILOGRAM, "the mass", false);
         let mut vector = |word: &str, what: &str, unit: Unit| {
             let [e] = part(word)?.expressions()[..] else {
                 return None;
@@ -165,15 +168,6 @@ impl<'a> Checker<'a> {
             force: force?,
             rotation,
         })
-    }
-
-    fn claimed_mass(&mut self, part: &'a BodyPart) -> Option<Expr> {
-        match &part.kind {
-            BodyPartKind::Value(mass) => {
-                self.constant_of_body(mass, Unit::KILOGRAM, "the mass", false)
-            }
-            _ => None,
-        }
     }
 
     fn claimed_vector(&mut self, e: &'a ast::Expr, what: &str, unit: Unit) -> Option<Expr> {

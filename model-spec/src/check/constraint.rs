@@ -1,6 +1,6 @@
 //! Constraints of blocks `solve { … }`, and claimed changes of quantities.
 
-use super::elaborate::node;
+use super::elaborate::{node, number};
 use super::solve::occurring;
 use super::term::Term;
 use super::{Checker, Typed, UnitOf};
@@ -36,13 +36,12 @@ impl<'a> Checker<'a> {
         let text = self.text(span);
         if let UnitOf::Term(sides) = &deviation.unit {
             let of = UnitOf::Term(Term::known(measure.unit));
-            let (value, exact) = (tolerance, None);
-            let kind = ExprKind::Number { value, exact };
             let rule = format!(
                 "the tolerance must be {}, as the sides of the constraint are",
                 self.described(sides)
             );
-            self.must_be(&Typed::scalar(kind, within.span, of), sides, &rule);
+            let expr = number(tolerance, None, measure.unit, within.span);
+            self.must_be(&Typed { expr, unit: of }, sides, &rule);
         }
         let mut orders = vec![deviation];
         while occurring(&orders.last()?.expr, *system, known).is_empty() {
@@ -54,11 +53,8 @@ impl<'a> Checker<'a> {
             let next = self.rate_along(orders.last()?.clone(), span, true)?;
             orders.push(next);
         }
-        let number = |value: f64, exact, unit: Option<Unit>| {
-            let mut number = node(ExprKind::Number { value, exact }, Shape::Scalar, span);
-            number.unit = unit.unwrap_or_default();
-            number
-        };
+        let number =
+            |value, exact, unit: Option<Unit>| number(value, exact, unit.unwrap_or_default(), span);
         let per_time = |power: i32| Unit::SECOND.checked_pow_half(-2 * power);
         let reason = format!(
             "the constraint \"{}\" is violated",

@@ -150,16 +150,16 @@ impl<'a> Checker<'a> {
             bounds,
             span: constant.name.span,
         };
-        let (made_in, terms) = match constant.class {
+        let (made_in, terms, symbol): (_, _, fn(usize) -> Symbol) = match constant.class {
             ParameterClass::Param | ParameterClass::Input => {
-                (&mut self.model.params, &mut self.params)
+                (&mut self.model.params, &mut self.params, Symbol::Param)
             }
-            ParameterClass::Coefficient => (&mut self.model.coefficients, &mut self.coefficients),
+            ParameterClass::Coefficient => {
+                let own = &mut self.model.coefficients;
+                (own, &mut self.coefficients, Symbol::Coefficient)
+            }
         };
-        let symbol = match constant.class {
-            ParameterClass::Param | ParameterClass::Input => Symbol::Param(made_in.len()),
-            ParameterClass::Coefficient => Symbol::Coefficient(made_in.len()),
-        };
+        let symbol = symbol(made_in.len());
         made_in.push(made);
         terms.push(term);
         self.define(&constant.name, symbol);

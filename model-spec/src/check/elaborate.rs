@@ -19,6 +19,15 @@ pub(super) fn node(kind: ExprKind, shape: Shape, span: Span) -> Expr {
     }
 }
 
+/// A literal; `exact` is its value as a fraction.
+pub(super) fn number(value: f64, exact: Option<(i64, i64)>, unit: Unit, span: Span) -> Expr {
+    let kind = ExprKind::Number { value, exact };
+    Expr {
+        unit,
+        ..node(kind, Shape::Scalar, span)
+    }
+}
+
 impl UnitOf {
     pub fn of(unit: Unit) -> UnitOf {
         UnitOf::Term(Term::known(unit))
@@ -97,8 +106,7 @@ impl Checker<'_> {
         let measure = self.measure_or_one(q.unit.as_ref())?;
         self.refuse_two_readings(q, measure.unit, span);
         let (value, exact) = measure.of(&q.number);
-        let mut expr = node(ExprKind::Number { value, exact }, Shape::Scalar, span);
-        expr.unit = measure.unit;
+        let expr = number(value, exact, measure.unit, span);
         let unit = match q.unit {
             None if value == 0.0 => UnitOf::Zero,
             _ => UnitOf::of(measure.unit),
@@ -198,6 +206,14 @@ impl Checker<'_> {
         self.in_range(a.times_power(&b, power), span)
     }
 
+    /// Power of a unit; reports one out of range.
+    pub fn powered(&mut self, unit: &UnitOf, power: Fraction, span: Span) -> UnitOf {
+        match unit.factor() {
+            Some(term) => self.in_range(term.power(power), span),
+            None => UnitOf::Faulty,
+        }
+    }
+
     /// Converts a computed unit; reports an exponent that is out of range.
     pub fn in_range(&mut self, term: Option<Term>, span: Span) -> UnitOf {
         match term {
@@ -236,13 +252,8 @@ impl Checker<'_> {
             return self.real_power(typed, exponent, span);
         };
         let doubled = doubled as i32;
-        let unit = match typed.unit.factor() {
-            Some(term) => {
-                let power = term.power(Fraction::new(i64::from(doubled), 2)?);
-                self.in_range(power, span)
-            }
-            None => UnitOf::Faulty,
-        };
+        let power = Fraction::new(i64::from(doubled), 2)?;
+        let unit = self.powered(&typed.unit, power, span);
         let kind = ExprKind::Pow(Box::new(typed.expr), doubled);
         Some(Typed::scalar(kind, span, unit))
     }

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use super::order::Defining;
 use super::scope::Symbol;
 use super::term::Term;
-use super::{Checker, Definition};
+use super::{Checker, Definition, UnitOf, Variable};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model;
 use crate::syntax::ast::{self, ItemKind, LoadClass};
@@ -101,7 +101,6 @@ impl<'a> Checker<'a> {
             };
             typed = declared;
         }
-        let made = self.model.aux_variables.len();
         let varying = self.varying(&typed.expr);
         if let Some(culprit) = varying.filter(|_| defining.is_constant) {
             let message = format!(
@@ -116,18 +115,26 @@ impl<'a> Checker<'a> {
             )));
         }
         let varies = varying.is_some();
-        self.definitions[index] = Definition::Done(made, typed.expr.shape, typed.unit.clone());
-        self.let_units.push(typed.unit);
-        self.varies.push(varies);
-        self.calls.push(defining.call);
-        self.model.aux_variables.push(model::AuxVariable {
+        let (shape, unit) = (typed.expr.shape, typed.unit);
+        let variable = model::AuxVariable {
             name,
             doc: defining.doc.to_owned(),
             value: typed.expr,
             span: defining.span,
             effect: defining.effect,
             is_of_call: defining.call.is_some(),
-        });
+        };
+        let made = self.add_variable(variable, unit.clone(), varies);
+        self.variables[made].call = defining.call;
+        self.definitions[index] = Definition::Done(made, shape, unit);
+    }
+
+    /// Adds an auxiliary variable to the model; returns its index.
+    pub fn add_variable(&mut self, own: model::AuxVariable, unit: UnitOf, varies: bool) -> usize {
+        let call = None;
+        self.variables.push(Variable { unit, varies, call });
+        self.model.aux_variables.push(own);
+        self.model.aux_variables.len() - 1
     }
 
     fn is_derivative(&mut self, typed: &super::Typed, state: usize) {

@@ -225,35 +225,42 @@ impl Checker<'_> {
         ))
     }
 
-    /// Appends to `out` the operands (names and literals) of an expression with their units, without duplicates.
-    fn leaves(&self, e: &Expr, out: &mut Vec<Leaf>) {
+    /// Name, place and unit of the declared quantity that a leaf of an expression is; no unit if it has an error.
+    pub fn declared(&self, leaf: &ExprKind) -> Option<(&str, Span, Option<&Term>)> {
         let model = &self.model;
-        let declared = |name: &str, term: &Term, span| (name.to_owned(), term.clone(), span, true);
-        let written = |term: Term| (self.text(e.span), term, e.span, false);
-        let (name, term, span, declared) = match &e.kind {
+        Some(match leaf {
             ExprKind::Param(i) => {
                 let own = &model.params[*i];
-                declared(&own.name, &self.params[*i], own.span)
+                (&own.name, own.span, Some(&self.params[*i]))
             }
             ExprKind::Coefficient(i) => {
                 let own = &model.coefficients[*i];
-                declared(&own.name, &self.coefficients[*i], own.span)
+                (&own.name, own.span, Some(&self.coefficients[*i]))
             }
             ExprKind::State(i) => {
                 let own = &model.states[*i];
-                declared(&own.name, &self.states[*i], own.span)
+                (&own.name, own.span, Some(&self.states[*i]))
             }
             ExprKind::Input(i) => {
                 let own = &model.inputs[*i];
-                declared(&own.name, &self.inputs[*i], own.span)
+                (&own.name, own.span, Some(&self.inputs[*i]))
             }
             ExprKind::AuxVariable(i) => {
-                let UnitOf::Term(term) = &self.let_units[*i] else {
-                    return;
-                };
                 let own = &model.aux_variables[*i];
-                declared(&own.name, term, own.span)
+                let term = match &self.variables[*i].unit {
+                    UnitOf::Term(term) => Some(term),
+                    _ => None,
+                };
+                (&own.name, own.span, term)
             }
+            _ => return None,
+        })
+    }
+
+    /// Appends to `out` the operands (names and literals) of an expression with their units, without duplicates.
+    fn leaves(&self, e: &Expr, out: &mut Vec<Leaf>) {
+        let written = |term: Term| (self.text(e.span), term, e.span, false);
+        let (name, term, span, declared) = match &e.kind {
             ExprKind::Number { .. } => written(Term::known(e.unit)),
             ExprKind::Time => written(Term::known(Unit::SECOND)),
             ExprKind::Position | ExprKind::Marker => written(Term::known(Unit::METRE)),
@@ -261,12 +268,16 @@ impl Checker<'_> {
             ExprKind::AngularVelocity => written(Term::known(Unit::RATE)),
             ExprKind::SpecificForce => written(Term::known(Unit::ACCELERATION)),
             ExprKind::AngularAcceleration => written(Term::known(Unit::ANGULAR_ACCELERATION)),
-            _ => {
-                for child in e.children() {
-                    self.leaves(child, out);
+            kind => match self.declared(kind) {
+                Some((name, span, Some(term))) => (name.to_owned(), term.clone(), span, true),
+                Some((.., None)) => return,
+                None => {
+                    for child in e.children() {
+                        self.leaves(child, out);
+                    }
+                    return;
                 }
-                return;
-            }
+            },
         };
         if out.len() < MAX_LEAVES && !out.iter().any(|l| l.name == name) {
             out.push(Leaf {
@@ -320,9 +331,11 @@ impl Checker<'_> {
                 return Some(multiplied_by(&param.name, inverse));
             }
         }
-        let named = self.model.aux_variables.iter().zip(&self.let_units);
-        for (variable, unit) in named.filter(|(v, _)| v.value.shape == Shape::Scalar) {
-            let UnitOf::Term(term) = unit else { continue };
+        let named = self.model.aux_variables.iter().zip(&self.variables);
+        for (variable, own) in named.filter(|(v, _)| v.value.shape == Shape::Scalar) {
+            let UnitOf::Term(term) = &own.unit else {
+                continue;
+            };
             if has(term, inverse) {
                 return Some(multiplied_by(&variable.name, inverse));
             }

@@ -83,7 +83,7 @@ impl Checker<'_> {
         };
         for (i, named) in model.aux_variables.iter_mut().enumerate() {
             tables.assign(&mut named.value);
-            if let UnitOf::Term(term) = &self.let_units[i]
+            if let UnitOf::Term(term) = &self.variables[i].unit
                 && let Some(unit) = self.units.resolve(term).unit()
             {
                 named.value.unit = unit;

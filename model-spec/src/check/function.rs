@@ -1,6 +1,6 @@
 //! Types of functions: at their definitions, of calls within them, and of arguments where calls are written out.
 
-use super::elaborate::node;
+use super::elaborate::{node, number};
 use super::scope::Symbol;
 use super::term::Term;
 use super::{Checker, Definition, Typed, UnitOf};
@@ -81,23 +81,20 @@ impl<'a> Checker<'a> {
         }
         self.definitions.truncate(definitions);
         self.model.aux_variables.truncate(variables);
-        self.let_units.truncate(variables);
-        self.varies.truncate(variables);
+        self.variables.truncate(variables);
     }
 
     /// Declares a parameter or a variable of a function, without a type if it has an error; returns what it hides.
     fn local(&mut self, name: &Name, typed: Option<(Expr, UnitOf)>) -> Option<(Symbol, Span)> {
         let definition = match typed {
             Some((value, unit)) => {
-                let made =
-                    Definition::Done(self.model.aux_variables.len(), value.shape, unit.clone());
-                self.let_units.push(unit);
-                self.varies.push(true);
-                self.model.aux_variables.push(model::AuxVariable {
+                let shape = value.shape;
+                let own = model::AuxVariable {
                     span: name.span,
                     ..model::AuxVariable::new(&name.text, value)
-                });
-                made
+                };
+                let made = self.add_variable(own, unit.clone(), true);
+                Definition::Done(made, shape, unit)
             }
             None => Definition::Missing,
         };
@@ -249,17 +246,15 @@ impl<'a> Checker<'a> {
         }
         let (shape, term) = self.type_of(&function.result)?;
         // In messages, a call is an operand like a number with a unit.
-        let (value, exact) = (1.0, None);
-        let mut expr = node(ExprKind::Number { value, exact }, shape, span);
-        expr.unit = term.unit().unwrap_or_default();
+        let mut expr = number(1.0, None, term.unit().unwrap_or_default(), span);
+        expr.shape = shape;
         let unit = UnitOf::Term(term);
         Some(Typed { expr, unit })
     }
 
     /// Whether a span lies in the definition of a function.
     fn is_in_function(&self, span: Span) -> bool {
-        self.declared_functions()
-            .any(|own| contains(own.span, span))
+        self.declared_functions().any(|own| own.span.contains(span))
     }
 
     /// Labels an error in a function with the call at which it arises: that of the variable with index `variable`, or
@@ -268,7 +263,7 @@ impl<'a> Checker<'a> {
         if !self.is_in_function(fault.span) {
             return fault;
         }
-        let own = self.calls.get(variable).copied().flatten();
+        let own = self.variables.get(variable).and_then(|own| own.call);
         match own.or_else(|| self.call_in(root, fault.span, root.span)) {
             Some(call) => fault.label(call, "in this call"),
             None => fault,
@@ -293,7 +288,7 @@ impl<'a> Checker<'a> {
     pub fn all_faults(&mut self) -> Vec<Diagnostic> {
         let FunctionFaults { faulty, found } = std::mem::take(&mut self.of_functions);
         let mut faults = std::mem::take(&mut self.diagnostics);
-        faults.retain(|fault| !faulty.iter().any(|own| contains(*own, fault.span)));
+        faults.retain(|fault| !faulty.iter().any(|own| own.contains(fault.span)));
         faults.extend(found);
         let mut seen = std::collections::HashSet::new();
         faults.retain(|fault| seen.insert(self.place(fault)));
@@ -307,8 +302,4 @@ fn has_doubled(function: &ast::Function) -> bool {
     all.any(|(k, own)| {
         { function.parameters[..k].iter() }.any(|other| other.name.text == own.name.text)
     })
-}
-
-fn contains(outer: Span, inner: Span) -> bool {
-    outer.source == inner.source && outer.start <= inner.start && inner.end <= outer.end
 }

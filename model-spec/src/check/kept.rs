@@ -110,7 +110,6 @@ impl<'m> Kept<'m> {
     where
         'm: 'e,
     {
-        let body = self.model.body.as_ref();
         match &named(self.model, v).kind {
             ExprKind::Components(parts) => {
                 let is_zero =
@@ -118,16 +117,11 @@ impl<'m> Kept<'m> {
                 let parts = parts.iter().filter(|part| !is_zero(part));
                 parts.flat_map(|part| self.root(part)).collect()
             }
-            ExprKind::Velocity => {
-                let states = body.iter().flat_map(|body| body.velocity);
-                states.map(Part::State).collect()
-            }
-            ExprKind::Position => {
-                let states = body.iter().flat_map(|body| body.position);
-                states.map(Part::State).collect()
-            }
             ExprKind::Reexpress(of) | ExprKind::Neg(of) => self.of_vector(of),
-            _ => vec![Part::Other(v)],
+            kind => match self.states_of(kind) {
+                Some(states) => states.map(Part::State).to_vec(),
+                None => vec![Part::Other(v)],
+            },
         }
     }
 
@@ -135,19 +129,24 @@ impl<'m> Kept<'m> {
     where
         'm: 'e,
     {
-        let body = self.model.body.as_ref();
         match &named(self.model, e).kind {
             ExprKind::State(state) => Part::State(*state),
             ExprKind::Component(of, axis) => {
-                let states = match &named(self.model, of).kind {
-                    ExprKind::Velocity => body.map(|body| body.velocity),
-                    ExprKind::Position => body.map(|body| body.position),
-                    _ => None,
-                };
+                let states = self.states_of(&named(self.model, of).kind);
                 let states = states.map(|states| states[usize::from(*axis) - 1]);
                 states.map_or(Part::Other(e), Part::State)
             }
             _ => Part::Other(e),
+        }
+    }
+
+    /// States that are the components of the velocity or position of the body.
+    fn states_of(&self, vector: &ExprKind) -> Option<[usize; 3]> {
+        let body = self.model.body.as_ref()?;
+        match vector {
+            ExprKind::Velocity => Some(body.velocity),
+            ExprKind::Position => Some(body.position),
+            _ => None,
         }
     }
 

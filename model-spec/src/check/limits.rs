@@ -64,7 +64,7 @@ impl Checker<'_> {
 
     /// Adds the limit that avoids gimbal lock: of the sine for sequences such as 3-1-3, else of the cosine.
     fn attitude_limit(&mut self) {
-        let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
+        let Some(rotation) = self.model.rotation() else {
             return;
         };
         let chain = self.chain(rotation.body_frame);

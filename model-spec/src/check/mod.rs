@@ -70,20 +70,14 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
         let diagnostics = expand::expand(&mut own);
         return match diagnostics.is_empty() {
             true => check(&own, sources),
-            false => Checked {
-                model: None,
-                diagnostics,
-            },
+            false => refused(diagnostics),
         };
     }
     if file.items.is_empty() {
         let fault = Diagnostic::new(Kind::Missing, file.end, "the file declares nothing").help(
             "a model begins with `model NAME;`, a frame `frame N;` and a `body` or a `point`",
         );
-        return Checked {
-            model: None,
-            diagnostics: vec![fault],
-        };
+        return refused(vec![fault]);
     }
     if let Some(effect) = file.effects().next()
         && file.effects().count() == file.items.len()
@@ -91,10 +85,7 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
         let message = "this file has an effect but no model";
         let fault = Diagnostic::new(Kind::Missing, effect.name.span, message)
             .help("load a model and switch the effect on by the name of this file");
-        return Checked {
-            model: None,
-            diagnostics: vec![fault],
-        };
+        return refused(vec![fault]);
     }
     let mut checker = Checker::new(file, sources, Unitless::default());
     checker.run();
@@ -110,6 +101,13 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
     let sound = diagnostics.iter().all(|d| d.kind == Kind::Unit);
     Checked {
         model: sound.then_some(model),
+        diagnostics,
+    }
+}
+
+fn refused(diagnostics: Vec<Diagnostic>) -> Checked {
+    Checked {
+        model: None,
         diagnostics,
     }
 }
@@ -149,6 +147,15 @@ enum Definition {
     Done(usize, model::Shape, UnitOf),
 }
 
+/// What the checker knows of an auxiliary variable.
+struct Variable {
+    unit: UnitOf,
+    /// Whether the variable may change during a flight.
+    varies: bool,
+    /// The call that has added the variable of a function.
+    call: Option<Span>,
+}
+
 /// State of the semantic analysis.
 struct Checker<'a> {
     file: &'a ast::File,
@@ -162,12 +169,8 @@ struct Checker<'a> {
     coefficients: Vec<Term>,
     inputs: Vec<Term>,
     states: Vec<Term>,
-    /// Units of the auxiliary variables, by index into [`Model::aux_variables`].
-    let_units: Vec<UnitOf>,
-    /// Whether each auxiliary variable changes during a flight, by index into [`Model::aux_variables`].
-    varies: Vec<bool>,
-    /// Source span of the call to which each auxiliary variable belongs, by index into [`Model::aux_variables`].
-    calls: Vec<Option<Span>>,
+    /// What is known of the auxiliary variables, in their order.
+    variables: Vec<Variable>,
     of_functions: FunctionFaults,
     /// Checked definitions: each `let` in order, then each equation whose derivative is used.
     definitions: Vec<Definition>,
@@ -206,9 +209,7 @@ impl<'a> Checker<'a> {
             coefficients: Vec::new(),
             inputs: Vec::new(),
             states: Vec::new(),
-            let_units: Vec::new(),
-            varies: Vec::new(),
-            calls: Vec::new(),
+            variables: Vec::new(),
             of_functions: FunctionFaults::default(),
             definitions: Vec::new(),
             first_uses: Vec::new(),

@@ -54,7 +54,7 @@ impl Checker<'_> {
             Symbol::Let(i) => self.definitions.get(i).cloned(),
             Symbol::Unknown(i) => {
                 let shape = self.model.aux_variables.get(i)?.value.shape;
-                Some(Definition::Done(i, shape, self.let_units[i].clone()))
+                Some(Definition::Done(i, shape, self.variables[i].unit.clone()))
             }
             _ => None,
         }

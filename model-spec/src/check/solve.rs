@@ -173,14 +173,17 @@ impl<'a> Checker<'a> {
                 name: format!("der({name})"),
                 state: Some(state),
             });
+            let effect = item.effect;
             let made = model::AuxVariable {
                 span,
+                effect,
                 ..model::AuxVariable::new(
                     format!("der_{name}"),
                     node(leaf, Shape::Scalar, item.span),
                 )
             };
-            let made = self.add_unknown(made, unit.map_or(UnitOf::Faulty, UnitOf::Term), item);
+            let unit = unit.map_or(UnitOf::Faulty, UnitOf::Term);
+            let made = self.add_variable(made, unit, true);
             self.solved.insert(state, made);
         }
         for own in &block.unknowns {
@@ -210,9 +213,10 @@ impl<'a> Checker<'a> {
             };
             let made = model::AuxVariable {
                 doc: own.doc.clone(),
+                effect: item.effect,
                 ..model::AuxVariable::new(name.clone(), value)
             };
-            let made = self.add_unknown(made, UnitOf::Term(term), item);
+            let made = self.add_variable(made, UnitOf::Term(term), true);
             self.define(&own.name, Symbol::Unknown(made));
         }
         let title = block.title();
@@ -232,27 +236,10 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds an unknown as auxiliary variable; returns its index.
-    fn add_unknown(
-        &mut self,
-        made: model::AuxVariable,
-        unit: UnitOf,
-        item: &'a ast::Item,
-    ) -> usize {
-        self.let_units.push(unit);
-        self.varies.push(true);
-        self.calls.push(None);
-        let effect = item.effect;
-        self.model
-            .aux_variables
-            .push(model::AuxVariable { effect, ..made });
-        self.model.aux_variables.len() - 1
-    }
-
     /// The auxiliary variable with this index, as an expression.
     pub fn unknown(&self, index: usize, span: Span) -> Typed {
         let shape = self.model.aux_variables[index].value.shape;
-        let unit = self.let_units[index].clone();
+        let unit = self.variables[index].unit.clone();
         Typed::new(ExprKind::AuxVariable(index), shape, span, unit)
     }
 

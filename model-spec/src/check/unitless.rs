@@ -94,22 +94,15 @@ impl<'a> Checker<'a> {
 
     /// Collects the declarations without a unit and the variables that an expression uses.
     fn unitless_operands(&self, e: &Expr, variables: &mut Vec<usize>, names: &mut Vec<Span>) {
-        let model = &self.model;
-        let name = match &e.kind {
-            ExprKind::Param(i) => model.params[*i].span,
-            ExprKind::Coefficient(i) => model.coefficients[*i].span,
-            ExprKind::Input(i) => model.inputs[*i].span,
-            ExprKind::State(i) => model.states[*i].span,
-            ExprKind::AuxVariable(i) => {
-                variables.extend((*i < model.aux_variables.len()).then_some(*i));
-                return;
+        if let ExprKind::AuxVariable(i) = e.kind {
+            variables.push(i);
+            return;
+        }
+        let Some((_, name, _)) = self.declared(&e.kind) else {
+            for child in e.children() {
+                self.unitless_operands(child, variables, names);
             }
-            _ => {
-                for child in e.children() {
-                    self.unitless_operands(child, variables, names);
-                }
-                return;
-            }
+            return;
         };
         if self.unitless.terms.contains_key(&name) && !names.contains(&name) {
             names.push(name);

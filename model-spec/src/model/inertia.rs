@@ -19,13 +19,9 @@ impl Model {
     }
 
     pub(crate) fn tensors(&self) -> impl Iterator<Item = &InertiaTensor<Expr>> {
-        let declared = self.body.as_ref().and_then(|own| own.rotation.as_ref());
+        let declared = self.rotation().map(|own| &own.inertia);
         let claimed = self.claim.as_ref().and_then(|own| own.rotation.as_ref());
-        let tensors = [
-            declared.map(|own| &own.inertia),
-            claimed.map(|own| &own.inertia),
-        ];
-        tensors.into_iter().flatten()
+        declared.into_iter().chain(claimed.map(|own| &own.inertia))
     }
 
     pub(crate) fn tensor_fault(

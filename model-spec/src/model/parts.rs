@@ -1,6 +1,6 @@
 //! Parts of a model: claimed body, applied effects, tables and functions.
 
-use super::{Expr, FlightAxes, Model};
+use super::{Expr, FlightAxes, Model, Rotation};
 use crate::fingerprint;
 pub use crate::syntax::ast::{Continuation, Interpolation};
 use crate::unit::Unit;
@@ -49,17 +49,21 @@ pub enum ClaimedAttitude {
 }
 
 impl Model {
+    /// Rotational motion of the declared body; `None` without a body, or of a point.
+    pub fn rotation(&self) -> Option<&Rotation> {
+        self.body.as_ref()?.rotation.as_ref()
+    }
+
     /// Whether its body turns: rigid, not a point.
     pub fn has_rotating_body(&self) -> bool {
-        let body = self.body.as_ref();
-        body.is_some_and(|body| body.rotation.is_some())
+        self.rotation().is_some()
     }
 
     /// Axes of the declared or claimed body in flight, and the index into [`Model::frames`] of their frame; `None`
     /// without a body that turns.
     pub fn flight_axes(&self) -> Option<(usize, FlightAxes)> {
-        if let Some(body) = &self.body {
-            let rotation = body.rotation.as_ref()?;
+        if self.body.is_some() {
+            let rotation = self.rotation()?;
             return Some((rotation.body_frame, rotation.axes));
         }
         let rotation = self.claim.as_ref()?.rotation.as_ref()?;

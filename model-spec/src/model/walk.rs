@@ -295,10 +295,7 @@ impl Model {
     pub fn limits_of_validity(&self) -> impl Iterator<Item = &ValidityLimit> {
         let is_of_constraint = |limit: &ValidityLimit| {
             let mut systems = self.systems.iter();
-            systems.any(|own| {
-                let (of, at) = (own.span, limit.span);
-                of != at && of.source == at.source && of.start <= at.start && at.end <= of.end
-            })
+            systems.any(|own| own.span != limit.span && own.span.contains(limit.span))
         };
         self.limits
             .iter()

@@ -341,7 +341,7 @@ fn map(
 
 /// Whether the body is its own mirror image: products of inertia 12 and 23 are 0.
 fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
-    let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
+    let rotation = model.rotation();
     let claimed = model.claim.as_ref().and_then(|c| c.rotation.as_ref());
     let inertia = { rotation.map(|r| &r.inertia) }.or(claimed.map(|r| &r.inertia));
     inertia.is_none_or(|inertia| {
@@ -354,7 +354,7 @@ fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
 
 /// Axis of revolution (1, 2 or 3): that of the rotation from the frame of the inertia to the body frame.
 fn axis_of_revolution(model: &Model) -> Option<u8> {
-    let rotation = model.body.as_ref()?.rotation.as_ref()?;
+    let rotation = model.rotation()?;
     match model.frames[rotation.body_frame].kind {
         FrameKind::Turned { axis, .. } if rotation.inertia_frame != rotation.body_frame => {
             Some(axis)
