@@ -66,6 +66,23 @@ impl Span {
         }
     }
 
+    /// The empty span before this one.
+    pub(crate) fn before(self) -> Span {
+        self.first_bytes(0)
+    }
+
+    /// The empty span behind this one.
+    pub(crate) fn behind(self) -> Span {
+        let start = self.end;
+        Span { start, ..self }
+    }
+
+    /// The beginning of the span, of as many bytes.
+    pub(crate) fn first_bytes(self, count: u32) -> Span {
+        let end = self.start + count;
+        Span { end, ..self }
+    }
+
     /// Whether another span lies within this one.
     pub(crate) fn contains(self, other: Span) -> bool {
         self.source == other.source && self.start <= other.start && other.end <= self.end

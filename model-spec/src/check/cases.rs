@@ -20,10 +20,7 @@ impl Checker<'_> {
             let ItemKind::Check(check) = &item.kind else {
                 continue;
             };
-            let span = Span {
-                end: item.span.start + "check".len() as u32,
-                ..item.span
-            };
+            let span = item.span.first_bytes("check".len() as u32);
             if let Some(&first) = titles.get(check.title.as_str()) {
                 self.second(&format!("check \"{}\"", check.title), first, span);
             }

@@ -166,8 +166,7 @@ impl<'a> Checker<'a> {
             let resolved = match &frame.kind {
                 ast::FrameKind::Fixed { angle, .. } => self.constant_angle(angle),
                 ast::FrameKind::Turned { angle, .. } => {
-                    let (kind, span) = (ast::ExprKind::Name(angle.text.clone()), angle.span);
-                    self.constant_angle(&ast::Expr { kind, span })
+                    self.constant_angle(&ast::Expr::name(&angle.text, angle.span))
                 }
                 _ => None,
             };

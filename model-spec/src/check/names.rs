@@ -7,7 +7,8 @@ use super::{Checker, Definition, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::model::{ExprKind, Shape};
 use crate::suggest;
-use crate::syntax::ast;
+use crate::syntax::ast::{self, ItemKind};
+use crate::syntax::of_kind;
 use crate::unit::{Unit, symbol};
 
 impl Checker<'_> {
@@ -200,10 +201,7 @@ impl Checker<'_> {
 
     /// A function of the text of which a name is a parameter or a variable.
     fn function_with(&self, name: &str) -> Option<String> {
-        let mut functions = self.searched().iter().filter_map(|item| match &item.kind {
-            ast::ItemKind::Function(own) => Some(own),
-            _ => None,
-        });
+        let mut functions = of_kind!(self.searched().iter(), ItemKind::Function);
         let found = functions.find(|own| {
             let parameters = own.parameters.iter().map(|own| &own.name);
             let mut names = parameters.chain(own.lets.iter().map(|own| &own.name));

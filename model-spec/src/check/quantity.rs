@@ -158,13 +158,7 @@ impl Checker<'_> {
             fault = fault
                 .note(note)
                 .help(format!("to multiply, write `*` before `{symbol}`"))
-                .fix(
-                    Span {
-                        end: span.start,
-                        ..span
-                    },
-                    "*",
-                );
+                .fix(span.before(), "*");
         } else {
             fault = fault.note(format!("units are made of {}", symbol::listed()));
             if let Some(near) = symbol::suggest(symbol) {

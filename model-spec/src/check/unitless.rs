@@ -7,7 +7,7 @@ use super::term::Term;
 use super::{Checker, Typed};
 use crate::diagnostic::{Fix, Kind, Label, MAX_SHOWN, Span};
 use crate::model::{Expr, ExprKind};
-use crate::syntax::ast::{Item, ItemKind, Name, UnitExpr, UnitFactor};
+use crate::syntax::ast::{Item, ItemKind, Name, UnitExpr};
 use crate::unit::Unit;
 
 const MAX_SUGGESTED: usize = 3;
@@ -213,8 +213,7 @@ impl<'a> Declared<'a> {
             ItemKind::State(s) => s.value.span,
             _ => return None,
         };
-        let start = value.end;
-        Some(Span { start, ..value })
+        Some(value.behind())
     }
 
     /// Source text of the declaration with `unit` added.
@@ -235,14 +234,7 @@ impl<'a> Declared<'a> {
 fn written(unit: Unit) -> UnitExpr {
     let span = Span::default();
     match unit.named() {
-        Some(symbol) if symbol.chars().all(char::is_alphabetic) => UnitExpr {
-            factors: vec![UnitFactor {
-                symbol: symbol.to_owned(),
-                doubled: 2,
-                span,
-            }],
-            span,
-        },
+        Some(symbol) if symbol.chars().all(char::is_alphabetic) => UnitExpr::symbol(symbol, span),
         _ => UnitExpr::of(unit, span),
     }
 }

@@ -142,15 +142,8 @@ impl Change<'_> {
             } else {
                 "when it acts"
             };
-            let kind = ItemKind::Let(Let {
-                is_constant: false,
-                name: Name {
-                    text: new.clone(),
-                    span,
-                },
-                unit: None,
-                value: named(&old, span),
-            });
+            let value = Expr::name(&old, span);
+            let kind = ItemKind::Let(Let::new(Name::new(&new, span), None, value));
             let of_input = Item::new(kind, format!("{input} {doc}"), span);
             self.file.items.push(of_input);
         }
@@ -163,7 +156,7 @@ impl Change<'_> {
 
     /// Puts the quantity `new` in the place of `old` wherever the model uses it.
     fn stand_in(&mut self, new: &str, old: &str, span: Span) {
-        let uses = HashMap::from([(old.to_owned(), named(new, span))]);
+        let uses = HashMap::from([(old.to_owned(), Expr::name(new, span))]);
         // A parameter of a function hides a quantity of its name; a body has no inputs.
         let hides = |item: &Item| match &item.kind {
             ItemKind::Body(_) => true,
@@ -243,13 +236,6 @@ fn body_of<'i>(file: &File, item: &'i Item) -> Option<&'i str> {
             load.on.as_ref().map(|body| body.text.as_str())
         }
         _ => None,
-    }
-}
-
-fn named(name: &str, span: Span) -> Expr {
-    Expr {
-        kind: ExprKind::Name(name.to_owned()),
-        span,
     }
 }
 

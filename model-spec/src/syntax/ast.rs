@@ -209,6 +209,19 @@ impl UnitExpr {
         }
     }
 
+    /// A unit by its symbol alone.
+    pub(crate) fn symbol(symbol: &str, span: Span) -> UnitExpr {
+        let factor = UnitFactor {
+            symbol: symbol.to_owned(),
+            doubled: 2,
+            span,
+        };
+        UnitExpr {
+            factors: vec![factor],
+            span,
+        }
+    }
+
     /// Symbol `?` of a unit to be inferred, as in the declaration `param k = 2 [?];`.
     pub const INFERRED: &str = "?";
 
@@ -339,6 +352,18 @@ pub struct Let {
     pub value: Expr,
 }
 
+impl Let {
+    /// Creates the definition of a quantity that may change during a flight.
+    pub fn new(name: Name, unit: Option<UnitExpr>, value: Expr) -> Let {
+        Let {
+            is_constant: false,
+            name,
+            unit,
+            value,
+        }
+    }
+}
+
 /// Whether a load is a force or a moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LoadClass {
@@ -425,12 +450,19 @@ pub struct Expr {
 }
 
 impl Expr {
+    /// Creates an expression.
+    pub fn new(kind: ExprKind, span: Span) -> Expr {
+        Expr { kind, span }
+    }
+
+    /// Creates a name.
+    pub fn name(text: impl Into<String>, span: Span) -> Expr {
+        Expr::new(ExprKind::Name(text.into()), span)
+    }
+
     /// Creates a numeric literal without a unit.
     pub fn number(text: impl Into<String>, span: Span) -> Expr {
-        Expr {
-            kind: ExprKind::Number(Quantity::new(text, None, span)),
-            span,
-        }
+        Expr::new(ExprKind::Number(Quantity::new(text, None, span)), span)
     }
 }
 

@@ -5,6 +5,7 @@ use super::ast::{
     Interpolation, ItemKind, Name, Quantity, Table, UnitExpr,
 };
 use super::parser::{Parser, Read};
+use super::print::behind;
 use super::stated_twice;
 use super::token::Token;
 use super::words;
@@ -195,11 +196,8 @@ impl Display for BodyPart {
                     return Ok(());
                 };
                 let [x, y, z] = &initial.values;
-                write!(f, " = ({}, {}, {})", x.text, y.text, z.text)?;
-                initial
-                    .unit
-                    .iter()
-                    .try_for_each(|unit| write!(f, " {unit}"))
+                let unit = behind(" ", &initial.unit);
+                write!(f, " = ({}, {}, {}){unit}", x.text, y.text, z.text)
             }
             BodyPartKind::Value(e) => write!(f, "{e}"),
         }

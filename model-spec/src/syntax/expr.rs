@@ -88,10 +88,7 @@ impl Parser<'_> {
         self.advance();
         let mut exponent = Expr::number(value.abs().to_string(), span);
         if value < 0.0 {
-            exponent = Expr {
-                kind: ExprKind::Neg(Box::new(exponent)),
-                span,
-            };
+            exponent = Expr::new(ExprKind::Neg(Box::new(exponent)), span);
         }
         let whole = base.expr.span.to(span);
         let exponent = Box::new(exponent);
@@ -196,14 +193,8 @@ impl Parser<'_> {
         let first = self.tree(0)?;
         if self.peek() != Token::Sign(",") {
             self.closing(start)?;
-            let span = start.to(self.behind());
-            return Ok(Tree {
-                expr: Expr {
-                    kind: first.expr.kind,
-                    span,
-                },
-                height: first.height,
-            });
+            let expr = Expr::new(first.expr.kind, start.to(self.behind()));
+            return Ok(Tree { expr, ..first });
         }
         self.advance();
         let second = self.tree(0)?;
@@ -268,13 +259,7 @@ impl Parser<'_> {
         if !self.reported_by_lexer() {
             let message = format!("expected an operator or `)`, found {found}");
             let fault = Diagnostic::new(Kind::Grammar, self.here(), message)
-                .label(
-                    Span {
-                        end: open.start + 1,
-                        ..open
-                    },
-                    "this bracket is open",
-                )
+                .label(open.first_bytes(1), "this bracket is open")
                 .label(self.here(), "here")
                 .help_if(help);
             self.report(fault);
@@ -322,10 +307,7 @@ impl Parser<'_> {
                 return self.grown(ExprKind::Derivative(state), span, 0);
             }
             let kind = ExprKind::Element(state.text, subscripts);
-            let element = Expr {
-                kind,
-                span: element,
-            };
+            let element = Expr::new(kind, element);
             return self.grown(ExprKind::Call(name, vec![element]), span, 0);
         }
         if name.text == "sum" {

@@ -6,6 +6,7 @@ use super::ast::{
     Array, Expr, Function, FunctionParameter, Index, ItemKind, Let, Name, Number, Type,
 };
 use super::parser::{Parser, Read, Reported};
+use super::print::listed;
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
@@ -255,16 +256,18 @@ impl Parser<'_> {
 
 impl Display for Function {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "function {}(", self.name.text)?;
-        for (i, parameter) in self.parameters.iter().enumerate() {
-            let comma = if i > 0 { ", " } else { "" };
-            write!(f, "{comma}{}{}", parameter.name.text, parameter.of)?;
-        }
-        writeln!(f, "){} {{", self.result)?;
+        let (name, parameters) = (&self.name.text, listed(&self.parameters));
+        writeln!(f, "function {name}({parameters}){} {{", self.result)?;
         for own in &self.lets {
             writeln!(f, "  {}", ItemKind::Let(own.clone()))?;
         }
         write!(f, "  return {};\n}}", self.value)
+    }
+}
+
+impl Display for FunctionParameter {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.name.text, self.of)
     }
 }
 

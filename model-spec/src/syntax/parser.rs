@@ -120,27 +120,20 @@ impl<'a> Parser<'a> {
     }
 
     pub fn here(&self) -> Span {
-        let Lexeme { start, end, .. } = self.lexeme();
-        Span {
-            start,
-            end,
-            source: self.source,
-        }
+        self.span_of(self.lexeme())
     }
 
     /// Source span of the previous token; at the start of the text, source span of the next token.
     pub fn behind(&self) -> Span {
         match self.at.checked_sub(1) {
-            Some(i) => {
-                let Lexeme { start, end, .. } = self.lexed.tokens[i];
-                Span {
-                    start,
-                    end,
-                    source: self.source,
-                }
-            }
+            Some(i) => self.span_of(self.lexed.tokens[i]),
             None => self.here(),
         }
+    }
+
+    fn span_of(&self, Lexeme { start, end, .. }: Lexeme) -> Span {
+        let source = self.source;
+        Span { start, end, source }
     }
 
     pub fn advance(&mut self) {
@@ -320,13 +313,7 @@ impl<'a> Parser<'a> {
                     format!("expected `;` at the end of {after}"),
                 )
                 .help("end the statement with `;`")
-                .fix(
-                    Span {
-                        start: end.end,
-                        ..end
-                    },
-                    ";",
-                ),
+                .fix(end.behind(), ";"),
             );
         }
         let help = match self.peek() {

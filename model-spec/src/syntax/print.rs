@@ -27,6 +27,18 @@ impl BinaryOp {
     }
 }
 
+/// Texts with commas between them.
+pub(super) fn listed(items: impl IntoIterator<Item = impl fmt::Display>) -> String {
+    let texts: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    texts.join(", ")
+}
+
+/// A unit behind `mark`; nothing if none is written.
+pub(super) fn behind(mark: &str, unit: &Option<UnitExpr>) -> String {
+    let unit = unit.as_ref();
+    unit.map_or_else(String::new, |unit| format!("{mark}{unit}"))
+}
+
 impl fmt::Display for UnitExpr {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_inferred() {
@@ -63,11 +75,7 @@ fn power(f: &mut fmt::Formatter<'_>, doubled: i32) -> fmt::Result {
 
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.number.text)?;
-        match &self.unit {
-            Some(unit) => write!(f, " {unit}"),
-            None => Ok(()),
-        }
+        write!(f, "{}{}", self.number.text, behind(" ", &self.unit))
     }
 }
 
@@ -127,20 +135,12 @@ fn write_expr(f: &mut fmt::Formatter<'_>, expr: &Expr, least: u8) -> fmt::Result
             write_expr(f, b, right)?;
         }
         ExprKind::Element(name, subscripts) => {
-            write!(f, "{name}[")?;
-            for (i, subscript) in subscripts.iter().enumerate() {
-                write!(f, "{}{subscript}", if i > 0 { ", " } else { "" })?;
-            }
-            f.write_str("]")?;
+            write!(f, "{name}[{}]", listed(subscripts))?;
         }
         ExprKind::Sum(index, of) => write!(f, "sum({index}, {of})")?,
         ExprKind::Ascribed(of, _) => write_expr(f, of, least)?,
         ExprKind::Call(name, arguments) => {
-            write!(f, "{}(", name.text)?;
-            for (i, argument) in arguments.iter().enumerate() {
-                write!(f, "{}{argument}", if i > 0 { ", " } else { "" })?;
-            }
-            f.write_str(")")?;
+            write!(f, "{}({})", name.text, listed(arguments))?;
         }
     }
     if strength < least {

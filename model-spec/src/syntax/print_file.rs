@@ -4,6 +4,7 @@ use std::fmt::{self, Display, Formatter, Result, Write};
 
 use super::ast::*;
 use super::of_kind;
+use super::print::{behind, listed};
 
 impl Display for File {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
@@ -119,14 +120,11 @@ struct Elements {
 
 impl Elements {
     fn of(array: &Array) -> Elements {
-        let listed = |texts: Vec<String>| texts.join(", ");
-        let subscripts = array.subscripts.iter().map(Expr::to_string).collect();
-        let indices = array.indices.iter().map(Index::to_string).collect();
         Elements {
-            subscripts: format!("[{}]", listed(subscripts)),
+            subscripts: format!("[{}]", listed(&array.subscripts)),
             indices: match array.indices.is_empty() {
                 true => String::new(),
-                false => format!(" for {}", listed(indices)),
+                false => format!(" for {}", listed(&array.indices)),
             },
             values: array.values.iter().map(|own| own.text.clone()).collect(),
         }
@@ -141,15 +139,9 @@ fn write_kind(f: &mut Formatter<'_>, kind: &ItemKind, of: &Elements) -> Result {
         ItemKind::Parameter(c) => write_parameter(f, c, of),
         ItemKind::Input(i) => {
             let [x, y, z] = &i.value;
-            write!(
-                f,
-                "input {} in {} = ({}, {}, {})",
-                i.name.text, i.frame.text, x.text, y.text, z.text
-            )?;
-            if let Some(unit) = &i.unit {
-                write!(f, " {unit}")?;
-            }
-            f.write_char(';')
+            write!(f, "input {} in {} = ", i.name.text, i.frame.text)?;
+            let unit = behind(" ", &i.unit);
+            write!(f, "({}, {}, {}){unit};", x.text, y.text, z.text)
         }
         ItemKind::State(s) => {
             write!(
@@ -209,8 +201,8 @@ fn write_parameter(f: &mut Formatter<'_>, c: &Parameter, of: &Elements) -> Resul
     let (word, Quantity { number, unit, .. }) = (c.class.keyword(), &c.value);
     write!(f, "{word} {}{}", c.name.text, of.subscripts)?;
     // The unit of an input stands before its default.
-    if let (ParameterClass::Input, Some(unit)) = (c.class, unit) {
-        write!(f, ": {unit}")?;
+    if c.class == ParameterClass::Input {
+        f.write_str(&behind(": ", unit))?;
     }
     write!(f, "{} = ", of.indices)?;
     if c.class == ParameterClass::Input {
@@ -218,10 +210,7 @@ fn write_parameter(f: &mut Formatter<'_>, c: &Parameter, of: &Elements) -> Resul
     } else if of.values.is_empty() {
         write!(f, "{}", c.value)?;
     } else {
-        write!(f, "({})", of.values.join(", "))?;
-        if let Some(unit) = &c.value.unit {
-            write!(f, " {unit}")?;
-        }
+        write!(f, "({}){}", of.values.join(", "), behind(" ", unit))?;
     }
     if let Some((least, greatest)) = &c.bounds {
         write!(f, " in {least} .. {greatest}")?;
@@ -231,14 +220,9 @@ fn write_parameter(f: &mut Formatter<'_>, c: &Parameter, of: &Elements) -> Resul
 
 impl Display for Table {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let unit = |unit: &Option<UnitExpr>| {
-            let text = unit.as_ref().map(|unit| format!(": {unit}"));
-            text.unwrap_or_default()
-        };
         let arguments = self.arguments.iter();
-        let arguments = arguments.map(|(name, of)| name.text.clone() + &unit(of));
-        let arguments = arguments.collect::<Vec<_>>().join(", ");
-        let (name, value) = (&self.name.text, unit(&self.unit));
+        let arguments = listed(arguments.map(|(name, of)| name.text.clone() + &behind(": ", of)));
+        let (name, value) = (&self.name.text, behind(": ", &self.unit));
         write!(f, "table {name}({arguments}){value} = ")?;
         match &self.file {
             Some(file) => write!(f, "\"{}\"", file.text)?,
@@ -259,19 +243,15 @@ impl Display for Table {
 
 impl Table {
     fn write_knots(&self, f: &mut Formatter<'_>) -> Result {
-        let row = |values: &[Quantity]| {
-            let values: Vec<String> = values.iter().map(Quantity::to_string).collect();
-            values.join(", ")
-        };
         writeln!(f, "{{")?;
         if let [_, (second, _)] = &self.arguments[..] {
-            writeln!(f, "  {}: ({}),", second.text, row(&self.columns))?;
+            writeln!(f, "  {}: ({}),", second.text, listed(&self.columns))?;
             for (argument, values) in &self.rows {
-                writeln!(f, "  {argument}: ({}),", row(values))?;
+                writeln!(f, "  {argument}: ({}),", listed(values))?;
             }
         } else {
             for (argument, values) in &self.rows {
-                writeln!(f, "  {argument}: {},", row(values))?;
+                writeln!(f, "  {argument}: {},", listed(values))?;
             }
         }
         f.write_char('}')
@@ -279,16 +259,16 @@ impl Table {
 }
 
 fn joined(names: &[Name]) -> String {
-    let names: Vec<&str> = names.iter().map(|name| name.text.as_str()).collect();
-    names.join(", ")
+    listed(names.iter().map(|name| &name.text))
 }
 
 fn write_let(f: &mut Formatter<'_>, l: &Let, of: &Elements) -> Result {
-    write!(f, "{}{}", l.name.text, of.subscripts)?;
-    if let Some(unit) = &l.unit {
-        write!(f, ": {unit}")?;
-    }
-    write!(f, "{} = {};", of.indices, l.value)
+    let (name, unit) = (&l.name.text, behind(": ", &l.unit));
+    write!(
+        f,
+        "{name}{}{unit}{} = {};",
+        of.subscripts, of.indices, l.value
+    )
 }
 
 impl Display for FrameKind {
@@ -345,15 +325,9 @@ impl Display for CheckPart {
                 write!(f, "set {} = ", name.text)?;
                 match &value[..] {
                     [number] => f.write_str(&number.text)?,
-                    numbers => {
-                        let parts: Vec<&str> = numbers.iter().map(|n| n.text.as_str()).collect();
-                        write!(f, "({})", parts.join(", "))?;
-                    }
+                    numbers => write!(f, "({})", listed(numbers.iter().map(|n| &n.text)))?,
                 }
-                if let Some(unit) = unit {
-                    write!(f, " {unit}")?;
-                }
-                f.write_char(';')
+                write!(f, "{};", behind(" ", unit))
             }
             CheckPart::Expect {
                 name,
@@ -378,10 +352,7 @@ impl Display for CheckPart {
 impl Display for Need {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let vector = if self.is_vector { "vector " } else { "" };
-        write!(f, "{vector}{}", self.name.text)?;
-        if let Some(unit) = &self.unit {
-            write!(f, ": {unit}")?;
-        }
+        write!(f, "{vector}{}{}", self.name.text, behind(": ", &self.unit))?;
         match &self.otherwise {
             Some(otherwise) => write!(f, " or {otherwise}"),
             None => Ok(()),
@@ -399,13 +370,7 @@ impl Display for Effect {
         for part in &self.parts {
             match part {
                 EffectPart::Citation(text, _) => writeln!(f, "  source \"{text}\";")?,
-                EffectPart::Needs(needs) => {
-                    f.write_str("  needs ")?;
-                    for (i, need) in needs.iter().enumerate() {
-                        write!(f, "{}{need}", if i == 0 { "" } else { ", " })?;
-                    }
-                    writeln!(f, ";")?;
-                }
+                EffectPart::Needs(needs) => writeln!(f, "  needs {};", listed(needs))?,
                 EffectPart::Generalises(names) => {
                     writeln!(f, "  generalises {};", joined(names))?;
                 }

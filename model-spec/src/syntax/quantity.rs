@@ -156,15 +156,7 @@ impl Parser<'_> {
     fn inferred_unit(&mut self) -> UnitExpr {
         let span = self.here();
         self.advance();
-        let symbol = UnitExpr::INFERRED.to_owned();
-        UnitExpr {
-            factors: vec![UnitFactor {
-                symbol,
-                doubled: 2,
-                span,
-            }],
-            span,
-        }
+        UnitExpr::symbol(UnitExpr::INFERRED, span)
     }
 
     /// Parses a product or quotient of powers of unit symbols, such as `kg*m/s^2`; it may begin with `/`.

@@ -7,7 +7,7 @@ use super::ast::{
 use super::parser::{Parser, Read};
 use super::token::Token;
 use super::words;
-use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::diagnostic::{Diagnostic, Kind};
 use crate::unit::symbol;
 
 /// Tokens of a unit behind a number, beyond which no sum is searched.
@@ -66,10 +66,7 @@ impl Parser<'_> {
         if block.is_none() {
             let is_definition = self.peek_at(1) == Token::Sign("=");
             if is_definition {
-                let start = Span {
-                    end: span.start,
-                    ..span
-                };
+                let start = span.before();
                 let definition = format!("a quantity is named with `let {word} = …;`");
                 fault = fault.help(definition).fix(start, "let ");
             } else if self.is_equation() {
@@ -391,12 +388,7 @@ impl Parser<'_> {
     fn binding_value(&mut self, name: Name, unit: Option<UnitExpr>) -> Read<Let> {
         let statement = format!("the definition of `{}`", name.text);
         let value = self.definition(&name.text, &statement)?;
-        Ok(Let {
-            is_constant: false,
-            name,
-            unit,
-            value,
-        })
+        Ok(Let::new(name, unit, value))
     }
 
     pub fn load(&mut self) -> Read<ItemKind> {

@@ -3,9 +3,10 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use super::{Budget, height, of_template};
+use super::{Budget, height, of_template, written_out};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{Expr, ExprKind, File, Function, Item, ItemKind, Let, Name};
+use crate::syntax::print::listed;
 use crate::syntax::{MAX_HEIGHT, of_kind};
 
 /// Maximum number of functions that call one another, which bounds the recursion.
@@ -90,10 +91,7 @@ impl<'b> Inliner<'b> {
     }
 
     fn item(&mut self, item: &Item) -> Vec<Item> {
-        let mut own = Item {
-            expanded: None,
-            ..item.clone()
-        };
+        let mut own = written_out(item.clone());
         for root in own.kind.roots_mut() {
             self.expression(root);
             if height(root) > MAX_HEIGHT {
@@ -170,13 +168,7 @@ impl<'b> Inliner<'b> {
         value: Expr,
         call: Span,
     ) {
-        let own = Let {
-            is_constant: false,
-            name,
-            unit,
-            value,
-        };
-        self.added.push((own, call));
+        self.added.push((Let::new(name, unit, value), call));
     }
 
     /// Copy of an expression of a function with the names of this call, and without calls.
@@ -259,10 +251,8 @@ pub(crate) fn wrong_count(function: &Function, found: usize, call: Span) -> Diag
     let (name, expected) = (&function.name.text, function.parameters.len());
     let plural = if expected == 1 { "" } else { "s" };
     let message = format!("`{name}` takes {expected} argument{plural}, but this call has {found}");
-    let parameters: Vec<String> = { function.parameters.iter() }
-        .map(|own| format!("{}{}", own.name.text, own.of))
-        .collect();
-    let label = format!("`{name}({})` is declared here", parameters.join(", "));
+    let parameters = listed(&function.parameters);
+    let label = format!("`{name}({parameters})` is declared here");
     Diagnostic::new(Kind::Shape, call, message).label(function.name.span, label)
 }
 

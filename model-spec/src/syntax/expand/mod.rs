@@ -79,6 +79,7 @@ pub(crate) fn unroll_effect(effect: &mut Effect, file: &File) -> Vec<Diagnostic>
     faults
 }
 
+/// The statement as if it stood in the text itself.
 fn written_out(item: Item) -> Item {
     Item {
         expanded: None,

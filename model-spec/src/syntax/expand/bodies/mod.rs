@@ -9,8 +9,7 @@ mod statements;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{
-    Body, BodyClass, Expanded, Expr, File, FrameKind, Item, ItemKind, Load, LoadClass, Name,
-    Template,
+    Body, BodyClass, Expr, File, FrameKind, Item, ItemKind, Load, LoadClass, Name,
 };
 use crate::syntax::body_parts::Triple;
 use crate::syntax::reserved::BodyQuantity;
@@ -18,9 +17,9 @@ use crate::syntax::{Parts, of_kind};
 use crate::unit::Unit;
 use attitude::Attitude;
 use statements::{Statement, Statements, expression};
-use std::sync::Arc;
 
 use super::unroll::added;
+use super::{of_template, written_out};
 
 /// Whether bodies after the first one are not written out yet.
 pub(super) fn is_needed(file: &File) -> bool {
@@ -77,23 +76,10 @@ pub(super) fn write_out(file: &mut File) -> Vec<Diagnostic> {
             file.items.push(item);
             continue;
         };
-        let written = Item {
-            expanded: None,
-            ..item
-        };
-        let kinds = statements.iter().map(|(own, _)| own.kind.clone());
-        let from = Arc::new(Template {
-            expanded: std::iter::once(written.kind.clone()).chain(kinds).collect(),
-            written: written.clone(),
-        });
-        let all = std::iter::once((written, None)).chain(statements.iter().cloned());
-        file.items.extend(all.map(|(own, call)| Item {
-            expanded: Some(Expanded {
-                from: Arc::clone(&from),
-                call,
-            }),
-            ..own
-        }));
+        let written = written_out(item);
+        let mut all = vec![(written.clone(), None)];
+        all.extend(statements.iter().cloned());
+        file.items.extend(of_template(written, all));
     }
     faults
 }

@@ -75,12 +75,8 @@ impl Statements {
     }
 
     fn definition(&self, name: String, unit: Option<Unit>, value: Expr) -> Let {
-        Let {
-            is_constant: false,
-            name: Name::new(name, self.span),
-            unit: unit.map(|unit| UnitExpr::of(unit, self.span)),
-            value,
-        }
+        let unit = unit.map(|unit| UnitExpr::of(unit, self.span));
+        Let::new(Name::new(name, self.span), unit, value)
     }
 
     pub fn load(&mut self, body: &str, load: &Load, item: &Item) {
@@ -132,10 +128,7 @@ impl Statements {
 pub fn expression(text: &str, span: Span) -> Expr {
     let mut parser = Parser::new(text, span.source);
     // The text itself is no name that a model has: what cannot be read is reported.
-    let mut e = parser.expr().unwrap_or_else(|_| Expr {
-        kind: ExprKind::Name(text.to_owned()),
-        span,
-    });
+    let mut e = parser.expr().unwrap_or_else(|_| Expr::name(text, span));
     place(&mut e, span);
     e
 }
