@@ -140,19 +140,11 @@ pub fn compile_at(
 
 /// Compiles state derivatives and observation, without Jacobians, in a tenth of the time of [`compile`].
 pub fn compile_values(model: &Model) -> (Layout, Program) {
-    let Lowered {
-        mut graph,
-        layout,
-        dx,
-        observation,
-        ..
-    } = lower(model);
-    let wanted: Vec<NodeId> = dx
-        .into_iter()
-        .chain(observation.into_iter().flatten())
-        .collect();
-    let program = scheduled_values(&mut graph, &layout, &wanted);
-    (layout, program)
+    let mut lowered = lower(model);
+    let observation = lowered.observation.into_iter().flatten();
+    let wanted: Vec<NodeId> = lowered.dx.into_iter().chain(observation).collect();
+    let program = scheduled_values(&mut lowered.graph, &lowered.layout, &wanted);
+    (lowered.layout, program)
 }
 
 /// Program of the nodes `wanted`, without `prepare`.
@@ -358,25 +350,17 @@ pub struct EveryValue {
 
 /// Compiles the values of a model, without Jacobians.
 pub fn compile_every_value(model: &Model) -> EveryValue {
-    let Lowered {
-        mut graph,
-        layout,
-        dx,
-        observation,
-        limits,
-        lets,
-        ..
-    } = lower(model);
-    let observation: Vec<_> = observation.into_iter().flatten().collect();
-    let mut wanted = dx;
+    let mut lowered = lower(model);
+    let observation: Vec<_> = lowered.observation.into_iter().flatten().collect();
+    let mut wanted = lowered.dx;
     wanted.extend(&observation);
-    wanted.extend(&limits);
-    wanted.extend(lets.iter().flatten());
+    wanted.extend(&lowered.limits);
+    wanted.extend(lowered.lets.iter().flatten());
     EveryValue {
-        program: scheduled_values(&mut graph, &layout, &wanted),
-        layout,
+        program: scheduled_values(&mut lowered.graph, &lowered.layout, &wanted),
+        layout: lowered.layout,
         observed: observation.len(),
-        limits: limits.len(),
-        lets: lets.iter().map(Vec::len).collect(),
+        limits: lowered.limits.len(),
+        lets: lowered.lets.iter().map(Vec::len).collect(),
     }
 }

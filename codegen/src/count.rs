@@ -69,19 +69,23 @@ pub fn count(program: &Program) -> Count {
 /// Counts the operations on which the selected outputs of a program depend, by kind; `outputs` contains output indices.
 pub fn count_for(program: &Program, outputs: &[usize]) -> Count {
     let mut needed = vec![false; program.statements.len()];
-    for &output in outputs {
-        if let Operand::Temp(t) = program.outputs[output] {
-            needed[t as usize] = true;
-        }
+    for temp in outputs
+        .iter()
+        .filter_map(|&output| program.outputs[output].temp())
+    {
+        needed[temp] = true;
     }
     let mut count = Count::default();
     for (k, statement) in program.statements.iter().enumerate().rev() {
         if needed[k] {
             count.one(&statement.op);
-            for operand in statement.op.operands() {
-                if let Operand::Temp(t) = operand {
-                    needed[t as usize] = true;
-                }
+            for temp in statement
+                .op
+                .operands()
+                .into_iter()
+                .filter_map(Operand::temp)
+            {
+                needed[temp] = true;
             }
         }
     }

@@ -22,6 +22,16 @@ pub enum Operand {
     Temp(u32),
 }
 
+impl Operand {
+    /// Index of the statement whose result it is; `None` for an input or a constant.
+    pub(crate) fn temp(self) -> Option<usize> {
+        match self {
+            Operand::Temp(t) => Some(t as usize),
+            _ => None,
+        }
+    }
+}
+
 /// Operation with one operand `x`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Unary {

@@ -147,8 +147,8 @@ impl<'a> Planner<'a> {
         let program = &function.program;
         let mut outputs = vec![Vec::new(); program.statements.len()];
         for (at, output) in program.outputs.iter().enumerate() {
-            if let Operand::Temp(t) = output {
-                outputs[*t as usize].push(at);
+            if let Some(temp) = output.temp() {
+                outputs[temp].push(at);
             }
         }
         Planner {

@@ -167,13 +167,9 @@ impl Lowering<'_> {
     /// Derivative of a number, or of a vector in the inertial frame, by the time of the flight.
     fn rate(&mut self, of: &Expr, states: &[usize], rates: &[Expr]) -> Value {
         let value = match (self.evaluate(of), of.shape) {
-            (Value::Vector(vector), Shape::Vector(from)) => Value::Vector(frames::reexpress(
-                &mut self.graph,
-                &self.frames,
-                vector,
-                from,
-                0,
-            )),
+            (Value::Vector(vector), Shape::Vector(from)) => {
+                Value::Vector(self.reexpress(vector, from, 0))
+            }
             (value, _) => value,
         };
         let mut moving: Vec<(Symbol, NodeId)> = Vec::new();
@@ -191,13 +187,9 @@ impl Lowering<'_> {
         moving.push((Symbol::Time, seconds));
         let changed = value.map(|component| partials::along(&mut self.graph, component, &moving));
         match (changed, of.shape) {
-            (Value::Vector(vector), Shape::Vector(to)) => Value::Vector(frames::reexpress(
-                &mut self.graph,
-                &self.frames,
-                vector,
-                0,
-                to,
-            )),
+            (Value::Vector(vector), Shape::Vector(to)) => {
+                Value::Vector(self.reexpress(vector, 0, to))
+            }
             (changed, _) => changed,
         }
     }
@@ -221,9 +213,19 @@ impl Lowering<'_> {
         Value::Scalar(self.graph.call2(function, a, b))
     }
 
+    /// Components in frame `to` of a vector given in frame `from`.
+    pub(super) fn reexpress(&mut self, vector: Vector, from: usize, to: usize) -> Vector {
+        frames::reexpress(&mut self.graph, &self.frames, vector, from, to)
+    }
+
+    /// Angular velocity of frame `of`, rad/s, with components in frame `within`.
+    pub(super) fn angular_velocity(&mut self, of: usize, within: usize) -> Vector {
+        frames::angular_velocity(&mut self.graph, &self.frames, of, within)
+    }
+
     fn in_frame(&mut self, vector: Vector, from: usize, shape: Shape) -> Vector {
         match shape {
-            Shape::Vector(to) => frames::reexpress(&mut self.graph, &self.frames, vector, from, to),
+            Shape::Vector(to) => self.reexpress(vector, from, to),
             Shape::Scalar => vector,
         }
     }
@@ -238,12 +240,9 @@ impl Lowering<'_> {
     /// Angular velocity of the body, rad/s, in `Rotation::angular_velocity_frame`.
     pub(crate) fn spin(&mut self) -> Vector {
         match self.model.rotation() {
-            Some(rotation) => frames::angular_velocity(
-                &mut self.graph,
-                &self.frames,
-                rotation.body_frame,
-                rotation.angular_velocity_frame,
-            ),
+            Some(rotation) => {
+                self.angular_velocity(rotation.body_frame, rotation.angular_velocity_frame)
+            }
             None => frames::zero(&mut self.graph),
         }
     }

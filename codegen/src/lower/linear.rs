@@ -6,7 +6,7 @@
 //! [typical points](super::typical), and keep their sign; where no entry does, the row is chosen at run time. What pivots
 //! lose to cancellation is the determinacy.
 
-use super::solve::determinant;
+use super::solve::{cramer, determinant};
 use super::typical::{self, Typical};
 use crate::functions::{BinaryFunction, MathFunction};
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
@@ -261,13 +261,10 @@ impl Elimination<'_> {
         let whole = determinant(self.graph, &system);
         let terms = permanent(self.graph, &sizes);
         self.judge(whole, terms);
-        for (k, &column) in self.columns.iter().enumerate() {
-            let mut replaced = system.clone();
-            for (row, &r) in replaced.iter_mut().zip(&self.rows) {
-                row[k] = self.right[r];
-            }
-            let above = determinant(self.graph, &replaced);
-            found[column] = Some(self.graph.div(above, whole));
+        let right: Vec<NodeId> = self.rows.iter().map(|&row| self.right[row]).collect();
+        let unknowns = cramer(self.graph, &system, &right, whole);
+        for (&column, unknown) in self.columns.iter().zip(unknowns) {
+            found[column] = Some(unknown);
         }
     }
 

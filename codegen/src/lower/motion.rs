@@ -67,13 +67,7 @@ impl Lowering<'_> {
     /// Lowers `der(x) = v` in the inertial frame.
     fn travel(&mut self, body: &Body, dx: &mut [NodeId]) {
         let velocity = self.velocity(body);
-        let travel = frames::reexpress(
-            &mut self.graph,
-            &self.frames,
-            velocity,
-            body.velocity_frame,
-            0,
-        );
+        let travel = self.reexpress(velocity, body.velocity_frame, 0);
         for k in 0..3 {
             dx[body.position[k]] = travel[k];
         }
@@ -86,7 +80,7 @@ impl Lowering<'_> {
         self.graph.assume_nonzero(mass);
         let lightness = self.graph.power(mass, -2);
         let frame = body.velocity_frame;
-        let spin = frames::angular_velocity(&mut self.graph, &self.frames, frame, frame);
+        let spin = self.angular_velocity(frame, frame);
         let carried = frames::cross(&mut self.graph, spin, velocity);
         let force = self.loads(model.forces.iter(), "force", frame);
         for k in 0..3 {
@@ -131,7 +125,7 @@ impl Lowering<'_> {
                 Shape::Vector(from) => from,
                 Shape::Scalar => frame,
             };
-            let vector = frames::reexpress(&mut self.graph, &self.frames, vector, from, frame);
+            let vector = self.reexpress(vector, from, frame);
             for (k, &component) in vector.iter().enumerate() {
                 let name = format!("{kind}_{}_{}", load.name, k + 1);
                 self.record(component, &name, load.span);
@@ -154,7 +148,7 @@ impl Lowering<'_> {
                 }
                 FrameKind::Quaternion { states, .. } => {
                     // der(q) = ½ q ⊗ ω, with ω in the rotated frame
-                    let w = frames::angular_velocity(&mut self.graph, &self.frames, k, k);
+                    let w = self.angular_velocity(k, k);
                     let q = states.map(|state| self.graph.symbol(Symbol::State(state as u32)));
                     let rows = [
                         [(1, 0, -1), (2, 1, -1), (3, 2, -1)],
@@ -190,7 +184,7 @@ impl Lowering<'_> {
         let inverse = solve::inverse(&mut self.graph, inertia);
         let spin = self.spin();
         let momentum = inertia.map(|row| frames::dot(&mut self.graph, row, spin));
-        let turning = frames::angular_velocity(&mut self.graph, &self.frames, frame, frame);
+        let turning = self.angular_velocity(frame, frame);
         let carried = frames::cross(&mut self.graph, turning, momentum);
         let moment = self.loads(model.moments.iter(), "moment", frame);
         let mut left = frames::sub(&mut self.graph, moment, carried);
@@ -213,11 +207,11 @@ impl Lowering<'_> {
             }
             Some((states, within)) => {
                 // derivative in another frame: der_within(ω) = der_F(ω) + (ω_F - ω_within) × ω
-                let other = frames::angular_velocity(&mut self.graph, &self.frames, within, frame);
+                let other = self.angular_velocity(within, frame);
                 let relative = frames::sub(&mut self.graph, turning, other);
                 let extra = frames::cross(&mut self.graph, relative, spin);
                 let seen = frames::add(&mut self.graph, acceleration, extra);
-                let seen = frames::reexpress(&mut self.graph, &self.frames, seen, frame, within);
+                let seen = self.reexpress(seen, frame, within);
                 for k in 0..3 {
                     dx[states[k]] = seen[k];
                 }

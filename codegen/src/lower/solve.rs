@@ -75,17 +75,34 @@ pub fn solve(
             .iter()
             .map(|&row| left.iter().map(|&c| matrix[row][c]).collect())
             .collect();
+        let right: Vec<NodeId> = rows.iter().map(|&row| right[row]).collect();
         let determinant = determinant(graph, &system);
-        for (k, &column) in left.iter().enumerate() {
-            let mut replaced = system.clone();
-            for (r, &row) in rows.iter().enumerate() {
-                replaced[r][k] = right[row];
-            }
-            let above = self::determinant(graph, &replaced);
-            found[column] = Some(graph.div(above, determinant));
+        for (column, value) in left
+            .into_iter()
+            .zip(cramer(graph, &system, &right, determinant))
+        {
+            found[column] = Some(value);
         }
     }
     found.into_iter().collect()
+}
+
+/// Unknowns of a system with the determinant `whole`, by Cramer's rule.
+pub(super) fn cramer(
+    graph: &mut ExprGraph,
+    system: &[Vec<NodeId>],
+    right: &[NodeId],
+    whole: NodeId,
+) -> Vec<NodeId> {
+    let unknown = |k: usize| {
+        let mut replaced = system.to_vec();
+        for (row, &right) in replaced.iter_mut().zip(right) {
+            row[k] = right;
+        }
+        let above = determinant(graph, &replaced);
+        graph.div(above, whole)
+    };
+    (0..system.len()).map(unknown).collect()
 }
 
 /// Determinant of a square matrix by Laplace expansion along the first row.

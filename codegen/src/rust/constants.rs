@@ -13,66 +13,24 @@ pub(super) fn items(model: &Model, compiled: &Compiled, attributes: &TokenStream
     let reasons: Vec<String> = model.limits.iter().map(|l| l.reason.clone()).collect();
     let observe = &compiled.observe_jac;
     let values = [
-        ("Names of the states, in order.", strings(&layout.states)),
-        ("Default initial state.", numbers(&layout.initial)),
-        (
-            "Names of the parameters: constants, then coefficients, then components of the inputs.",
-            strings(&layout.parameters),
-        ),
-        (
-            "Default values of the parameters.",
-            numbers(&layout.defaults),
-        ),
-        (
-            "Number of constants; they come first among the parameters.",
-            number(layout.params),
-        ),
-        (
-            "Number of coefficients; they follow the constants.",
-            number(layout.coefficients),
-        ),
-        (
-            "Names of the invariants that `prepare` computes.",
-            strings(&compiled.prepared),
-        ),
-        (
-            "Names of the auxiliary variables that `quantities` computes.",
-            strings(&layout.quantities),
-        ),
-        (
-            "Lower bounds of the domain of validity, one per result of `limits`.",
-            numbers(&bounds),
-        ),
-        (
-            "Why the model does not hold beyond each limit.",
-            strings(&reasons),
-        ),
-        (
-            "(row, column) of each entry of `j` = ∂dx/∂state.",
-            pairs(compiled.f_jac.pattern("j")),
-        ),
-        (
-            "(row, column) of each entry of `jp` = ∂dx/∂parameters.",
-            pairs(compiled.f_jac_par.pattern("jp")),
-        ),
-        (
-            "(row, column) of each entry of `dy_dx` = ∂observed/∂state.",
-            pairs(observe.pattern("dy_dx")),
-        ),
-        (
-            "(row, column) of each entry of `dy_dp` = ∂observed/∂parameters.",
-            pairs(observe.pattern("dy_dp")),
-        ),
-        (
-            "(row, column) of each entry of `dy_dmarker` = ∂observed/∂marker.",
-            pairs(observe.pattern("dy_dmarker")),
-        ),
-        (
-            "Hash of the model's source texts (64-bit FNV-1a).",
-            hash(model),
-        ),
+        strings(&layout.states),
+        numbers(&layout.initial),
+        strings(&layout.parameters),
+        numbers(&layout.defaults),
+        number(layout.params),
+        number(layout.coefficients),
+        strings(&compiled.prepared),
+        strings(&layout.quantities),
+        numbers(&bounds),
+        strings(&reasons),
+        pairs(compiled.f_jac.pattern("j")),
+        pairs(compiled.f_jac_par.pattern("jp")),
+        pairs(observe.pattern("dy_dx")),
+        pairs(observe.pattern("dy_dp")),
+        pairs(observe.pattern("dy_dmarker")),
+        hash(model),
     ];
-    let items = CONSTANTS.iter().zip(values).map(|(name, (doc, value))| {
+    let items = CONSTANTS.iter().zip(values).map(|((name, doc), value)| {
         let (name, doc, fill) = (ident(name), print::doc(doc), print::fill());
         let Value { kind, value } = value;
         quote!(#fill #doc #attributes pub const #name: #kind = #value;)

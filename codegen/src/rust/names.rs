@@ -3,24 +3,63 @@
 use super::{helpers, signature, table_names};
 use proc_macro2::{Ident, Span};
 
-/// Names of the constants that are generated for each model.
-pub(super) const CONSTANTS: [&str; 16] = [
-    "STATES",
-    "INITIAL",
-    "PARAMETERS",
-    "DEFAULTS",
-    "PARAMS",
-    "COEFFICIENTS",
-    "PREPARED",
-    "QUANTITIES",
-    "LIMITS",
-    "LIMIT_REASONS",
-    "J_PATTERN",
-    "JP_PATTERN",
-    "DY_DX_PATTERN",
-    "DY_DP_PATTERN",
-    "DY_DMARKER_PATTERN",
-    "SOURCE_HASH",
+/// Names of the constants that are generated for each model, and what they are.
+pub(super) const CONSTANTS: [(&str, &str); 16] = [
+    ("STATES", "Names of the states, in order."),
+    ("INITIAL", "Default initial state."),
+    (
+        "PARAMETERS",
+        "Names of the parameters: constants, then coefficients, then components of the inputs.",
+    ),
+    ("DEFAULTS", "Default values of the parameters."),
+    (
+        "PARAMS",
+        "Number of constants; they come first among the parameters.",
+    ),
+    (
+        "COEFFICIENTS",
+        "Number of coefficients; they follow the constants.",
+    ),
+    (
+        "PREPARED",
+        "Names of the invariants that `prepare` computes.",
+    ),
+    (
+        "QUANTITIES",
+        "Names of the auxiliary variables that `quantities` computes.",
+    ),
+    (
+        "LIMITS",
+        "Lower bounds of the domain of validity, one per result of `limits`.",
+    ),
+    (
+        "LIMIT_REASONS",
+        "Why the model does not hold beyond each limit.",
+    ),
+    (
+        "J_PATTERN",
+        "(row, column) of each entry of `j` = ∂dx/∂state.",
+    ),
+    (
+        "JP_PATTERN",
+        "(row, column) of each entry of `jp` = ∂dx/∂parameters.",
+    ),
+    (
+        "DY_DX_PATTERN",
+        "(row, column) of each entry of `dy_dx` = ∂observed/∂state.",
+    ),
+    (
+        "DY_DP_PATTERN",
+        "(row, column) of each entry of `dy_dp` = ∂observed/∂parameters.",
+    ),
+    (
+        "DY_DMARKER_PATTERN",
+        "(row, column) of each entry of `dy_dmarker` = ∂observed/∂marker.",
+    ),
+    (
+        "SOURCE_HASH",
+        "Hash of the model's source texts (64-bit FNV-1a).",
+    ),
 ];
 
 /// Variants of enumerations that are in scope everywhere, which no `let` can shadow.
@@ -31,7 +70,7 @@ pub(super) fn is_reserved(name: &str) -> bool {
     parsed(name).is_none()
         || VARIANTS.contains(&name)
         || signature::is_argument(name)
-        || CONSTANTS.contains(&name)
+        || CONSTANTS.iter().any(|(constant, _)| *constant == name)
         || helpers::is_helper(name)
         || table_names::is_constant(name)
 }

@@ -6,10 +6,8 @@ use crate::program::{Binary, Fused, Op, Operand, Program};
 /// Contracts products and sums to fused multiply-adds.
 pub(super) fn contract_fma(mut program: Program) -> Program {
     let mut uses = vec![0_u32; program.statements.len()];
-    for operand in program.operands() {
-        if let Operand::Temp(t) = operand {
-            uses[t as usize] += 1;
-        }
+    for temp in program.operands().filter_map(Operand::temp) {
+        uses[temp] += 1;
     }
     let mut ready = vec![0_u32; program.statements.len()];
     let mut fused = vec![false; program.statements.len()];
@@ -47,12 +45,10 @@ pub(super) fn contract_fma(mut program: Program) -> Program {
 
 /// Factors of a product that is used once and is no auxiliary variable.
 fn product(program: &Program, uses: &[u32], operand: Operand) -> Option<(Operand, Operand)> {
-    let Operand::Temp(t) = operand else {
-        return None;
-    };
-    let statement = &program.statements[t as usize];
+    let temp = operand.temp()?;
+    let statement = &program.statements[temp];
     match statement.op {
-        Op::Binary(Binary::Mul, x, y) if uses[t as usize] == 1 && statement.about.is_none() => {
+        Op::Binary(Binary::Mul, x, y) if uses[temp] == 1 && statement.about.is_none() => {
             Some((x, y))
         }
         _ => None,
@@ -70,10 +66,7 @@ fn reads_first(program: &Program, a: Operand, b: Operand) -> bool {
 }
 
 fn when(ready: &[u32], operand: Operand) -> u32 {
-    match operand {
-        Operand::Temp(t) => ready[t as usize],
-        _ => 0,
-    }
+    operand.temp().map_or(0, |temp| ready[temp])
 }
 
 pub(super) fn latency(op: &Op) -> u32 {

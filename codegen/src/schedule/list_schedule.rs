@@ -145,15 +145,8 @@ impl<'a> Order<'a> {
 
 /// Indices of the statements whose results a statement reads, without duplicates.
 fn temps(statement: &Statement) -> Vec<usize> {
-    let mut temps: Vec<usize> = statement
-        .op
-        .operands()
-        .into_iter()
-        .filter_map(|operand| match operand {
-            Operand::Temp(t) => Some(t as usize),
-            _ => None,
-        })
-        .collect();
+    let operands = statement.op.operands().into_iter();
+    let mut temps: Vec<usize> = operands.filter_map(Operand::temp).collect();
     temps.sort_unstable();
     temps.dedup();
     temps

@@ -163,21 +163,16 @@ impl Schedule<'_> {
         if self.values[id].is_some() {
             return;
         }
-        let ssa = self.ssa;
-        let value = match &ssa.defs[id] {
-            SsaDef::Leaf(symbol) => leaf(*symbol),
-            SsaDef::Constant(number) => Operand::Constant(number.value()),
-            _ if self.is_hoisted(id) => {
-                // A value that only hoisted expressions use needs no slot.
-                if self.uses.count[id] > 0 {
-                    self.values[id] = self.hoist((false, id));
-                }
-                return;
+        let def = &self.ssa.defs[id];
+        let is_leaf = matches!(def, SsaDef::Leaf(_) | SsaDef::Constant(_));
+        if !is_leaf && self.is_hoisted(id) {
+            // A value that only hoisted expressions use needs no slot.
+            if self.uses.count[id] > 0 {
+                self.values[id] = self.hoist((false, id));
             }
-            SsaDef::Recip(_) if self.divides(id) => return,
-            def => self.operation(def, id),
-        };
-        self.values[id] = Some(value);
+        } else if !self.divides(id) {
+            self.values[id] = Some(self.operation(def, id));
+        }
     }
 
     fn operation(&mut self, def: &SsaDef, id: DefId) -> Operand {

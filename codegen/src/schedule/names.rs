@@ -26,7 +26,7 @@ const ARGUMENTS: [&str; 16] = [
 
 const MAX_NAME_LENGTH: usize = 28;
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Namer {
     taken: BTreeSet<String>,
     /// For a name that is taken, the least number behind it that may be free.
@@ -47,8 +47,6 @@ impl Namer {
             .collect();
         Namer {
             taken,
-            numbers: FastMap::default(),
-            given: FastMap::default(),
             states: states.to_vec(),
             parameters: parameters.to_vec(),
             origins: origins
@@ -56,6 +54,7 @@ impl Namer {
                 .enumerate()
                 .map(|(k, name)| (name.clone(), k))
                 .collect(),
+            ..Namer::default()
         }
     }
 
@@ -148,12 +147,8 @@ impl Namer {
     /// Name of a hoisted invariant after its expression; not necessarily unique.
     pub fn constant_name(parameters: &[String], ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         let namer = Namer {
-            taken: BTreeSet::new(),
-            numbers: FastMap::default(),
-            given: FastMap::default(),
-            states: Vec::new(),
             parameters: parameters.to_vec(),
-            origins: FastMap::default(),
+            ..Namer::default()
         };
         namer.describe(ssa, graph, id, 4)
     }
