@@ -3,11 +3,10 @@
 
 use crate::error::Unsupported;
 use crate::newton_euler::{newton_euler, state_derivatives};
-use crate::physical::MassProperties;
 use crate::point::Point;
 use crate::scalar::Real;
 use crate::tree::Tree;
-use model_spec::model::{Body, Model};
+use model_spec::model::Model;
 
 /// Computes the derivative of every state of a model at a point with respect to recorded time.
 pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
@@ -21,7 +20,7 @@ pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported
         None => vec![T::zero(); model.states.len()],
         Some(body) => {
             let (force, moment) = (tree.total(&model.forces), tree.total(&model.moments));
-            let properties = mass_properties(tree, body);
+            let properties = tree.mass_properties(body);
             let motion = newton_euler(body, &tree.frames, &properties, force, moment);
             state_derivatives(model, body, &tree.point.states, &tree.frames, &motion)?
         }
@@ -34,9 +33,4 @@ pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported
         out.iter_mut().for_each(|rate| *rate *= clock_rate);
     }
     Ok(out)
-}
-
-/// Mass and inertia tensor of a body of the model that `tree` has evaluated, at the point of this evaluation.
-pub fn mass_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
-    tree.mass_properties(body)
 }

@@ -37,7 +37,7 @@ pub use attitude::Quaternion;
 pub use chart::{Chart, PhysicalRate};
 pub use claimed::{Balance, BalanceLaw, ClaimedBody, Turning, moving};
 pub use claimed_rates::{ClaimedRates, claimed_rates};
-pub use dynamics::{derivatives, derivatives_of, mass_properties};
+pub use dynamics::{derivatives, derivatives_of};
 pub use error::{BindError, Unsupported};
 pub use frames::PlacedFrame;
 pub use physical::{Load, MassProperties, Motion, Physical, inertia_in_n, solve};

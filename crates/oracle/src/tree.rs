@@ -444,7 +444,8 @@ impl<T: Real> Value<T> {
         }
     }
 
-    fn components(self) -> Vec<T> {
+    /// The scalar, or the components of the vector.
+    pub fn components(self) -> Vec<T> {
         match self {
             Value::Scalar(value) => vec![value],
             Value::Vector(value) => value.iter().copied().collect(),

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Field, Real};
 use oracle::{
     Balance, BindError, Chart, ClaimedBody, MassProperties, Point, Reference, Tree, Unsupported,
-    derivatives, derivatives_of, inertia_in_n, mass_properties, moving,
+    derivatives, derivatives_of, inertia_in_n, moving,
 };
 
 /// Equations of motion that can be evaluated at a point, independent of the backend.
@@ -183,7 +183,7 @@ impl<'a> Subject<'a> {
 
 /// Mass properties of a declared body, with the inertia in the body frame.
 pub(crate) fn body_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
-    let mut properties = mass_properties(tree, body);
+    let mut properties = tree.mass_properties(body);
     if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
         let turn = tree.frames[rotation.body_frame].axes.transpose()
             * tree.frames[rotation.inertia_frame].axes;

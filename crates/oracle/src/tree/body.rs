@@ -31,7 +31,7 @@ impl<T: Real> Tree<'_, T> {
     }
 
     /// Mass and inertia tensor of a body of the model at the point.
-    pub(crate) fn mass_properties(&self, body: &Body) -> MassProperties<T> {
+    pub fn mass_properties(&self, body: &Body) -> MassProperties<T> {
         let rotation = body.rotation.as_ref();
         MassProperties {
             mass: self.scalar(&body.mass),

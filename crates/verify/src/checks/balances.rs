@@ -5,8 +5,8 @@ use crate::options::Options;
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
-use crate::subject::{Bounded, Subject, is_fault, moving_as_stated};
-use oracle::{Tree, Value};
+use crate::subject::{Subject, is_fault, moving_as_stated};
+use oracle::Tree;
 use std::collections::BTreeMap;
 
 /// Name of this check in reports: `claim der(QUANTITY) = CHANGE;` along the equations of the model.
@@ -33,7 +33,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
         let mut worst = Worst::default();
         for own in &model.balances {
             let text = model.text(own.span);
-            let sides = [&own.quantity, &own.change].map(|e| components(tree.value(e)));
+            let sides = [&own.quantity, &own.change].map(|e| tree.value(e).components());
             for (quantity, change) in sides[0].iter().zip(&sides[1]) {
                 let error = (quantity.derivative - change.value).relative_error(0.0);
                 worst.update(error, || text.clone());
@@ -53,11 +53,4 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
         Verdict::Holds => row.with_detail("quantities change as the model claims"),
         _ => row.with_detail(lines.join("\n")),
     })
-}
-
-fn components(value: Value<Bounded>) -> Vec<Bounded> {
-    match value {
-        Value::Scalar(value) => vec![value],
-        Value::Vector(value) => value.iter().copied().collect(),
-    }
 }

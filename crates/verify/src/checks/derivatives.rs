@@ -8,7 +8,7 @@
 use super::backends::{Functions, Tapes, results_of};
 use super::disputed::{Disputed, Part};
 use super::function_rows::{
-    Bounded, Variable, bounded, compared, functions, reference_column, seed, tree_column, variables,
+    Variable, bounded, compared, functions, reference_column, seed, tree_column, variables,
 };
 use super::precision::{Finding, Tally, bounded_by};
 use crate::evaluation::Inputs;
@@ -16,7 +16,7 @@ use crate::options::{Options, TOLERANCE};
 use crate::random::Random;
 use crate::row::Row;
 use crate::sample;
-use crate::subject::Subject;
+use crate::subject::{Bounded, Subject};
 use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::Model;

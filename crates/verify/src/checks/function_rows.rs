@@ -1,5 +1,6 @@
 //! Rows and directions for the comparison of compiled functions with the model's vector expressions.
 
+use crate::subject::Bounded;
 use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::{FrameKind, Model};
@@ -242,9 +243,6 @@ pub(crate) fn reference_column<T: Real>(
     }
     out
 }
-
-/// Dual number whose parts have bounds of their rounding errors.
-pub type Bounded = Dual<ErrorBound>;
 
 /// The [`Bounded`] number with this value and this derivative.
 pub fn bounded(value: f64, derivative: f64) -> Bounded {
