@@ -214,10 +214,7 @@ impl Reader<'_> {
             return self.refuse(Diagnostic::new(Kind::Limit, file.span, message));
         };
         let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text).to_owned();
-        self.sources.push(Source {
-            name: name.clone(),
-            text: text.clone(),
-        });
+        self.sources.push(Source::new(&name, &text));
         Some((name, text, place))
     }
 }

@@ -54,10 +54,7 @@ pub fn decode(name: &str, bytes: Vec<u8>) -> Result<String, LoadError> {
     }
     Err(LoadError::Faults {
         diagnostics: vec![fault],
-        sources: vec![Source {
-            name: name.to_owned(),
-            text: String::new(),
-        }],
+        sources: vec![Source::new(name, "")],
     })
 }
 

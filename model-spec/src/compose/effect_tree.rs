@@ -41,10 +41,7 @@ impl EffectTree {
     /// # Ok::<(), model_spec::LoadError>(())
     /// ```
     pub fn new(tree: Effect) -> EffectTree {
-        let source = Source {
-            name: format!("{}.hyz", tree.name.text),
-            text: tree.to_string(),
-        };
+        let source = Source::new(format!("{}.hyz", tree.name.text), tree.to_string());
         EffectTree {
             tree,
             sources: vec![source],

@@ -33,7 +33,7 @@ mod values;
 use crate::check::{self, Checked};
 use crate::diagnostic::{self, Diagnostic, Kind, Source};
 use crate::effect;
-use crate::files::{self, Complete, Open};
+use crate::files::{self, Open};
 use crate::model::Model;
 use crate::read::{BODIES, LoadError, MODELS, REFUTED, find, read};
 use crate::syntax::ast::{File, ItemKind};
@@ -91,16 +91,12 @@ impl ModelTree {
         text: &str,
         open: &Open<'_>,
     ) -> (ModelTree, Vec<Diagnostic>) {
-        let Complete {
-            file,
-            sources,
-            diagnostics,
-        } = files::parse_with(name, text, 0, open);
+        let complete = files::parse_with(name, text, 0, open);
         let tree = ModelTree {
-            file: Arc::new(file),
-            sources,
+            file: Arc::new(complete.file),
+            sources: complete.sources,
         };
-        (tree, diagnostics)
+        (tree, complete.diagnostics)
     }
 
     /// Syntax tree of the model with the applied effects.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::model::Model;
 use crate::read::LoadError;
-use crate::syntax::ast::{FrameKind, ItemKind};
+use crate::syntax::ast::ItemKind;
 use crate::syntax::{self, of_kind};
 
 use super::{Instrument, ModelTree};
@@ -15,22 +15,17 @@ impl ModelTree {
     pub(crate) fn with_instruments(&self, instruments: &[Instrument]) -> ModelTree {
         let mut tree = self.clone();
         for instrument in instruments {
-            if !tree.declares(instrument.name()) {
+            if tree.file.binding(instrument.name()).is_none() {
                 tree.define(*instrument);
             }
         }
         tree
     }
 
-    fn declares(&self, name: &str) -> bool {
-        of_kind!(self.file.items.iter(), ItemKind::Let).any(|own| own.name.text == name)
-    }
-
     fn define(&mut self, instrument: Instrument) {
         let marker = of_kind!(self.file.items.iter(), ItemKind::Marker).next();
         let marker = marker.map(|marker| (marker.frame.text.as_str(), marker.name.text.as_str()));
-        let inertial = { self.file.frames() }.find(|frame| frame.kind == FrameKind::Inertial);
-        let inertial = inertial.map_or("N", |frame| &frame.name.text);
+        let inertial = self.file.inertial().unwrap_or("N");
         let (frame, marker) = marker.unwrap_or((inertial, "position"));
         let text = instrument.definition(frame, marker);
         let name = format!("the usual {}", instrument.name());

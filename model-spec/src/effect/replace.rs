@@ -125,10 +125,7 @@ impl Change<'_> {
         })?;
         let (input, span) = (declared.name.text.clone(), declared.name.span);
         let is_acting = input == wanted.name.text;
-        let has = |file: &File, name: &str| {
-            let mut lets = of_kind!(file.items.iter(), ItemKind::Let);
-            lets.any(|own| own.name.text == name)
-        };
+        let has = |file: &File, name: &str| file.binding(name).is_some();
         let (timed, acting) = (format!("{input}_in_time"), format!("{input}_acting"));
         let (new, old) = match is_acting {
             true if has(&self.file, &timed) => (acting, timed),

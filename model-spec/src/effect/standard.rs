@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::syntax::ast::{
-    BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
+    BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, ItemKind, Name, Need,
 };
 use crate::syntax::reserved::OF_BODY;
 
@@ -105,11 +105,8 @@ impl Standard {
     fn of_model(file: &File) -> Standard {
         let mut standard = Standard::default();
         let own = |wanted: &str| file.frames().any(|frame| frame.name.text == wanted);
-        let inertial = file
-            .frames()
-            .find(|frame| frame.kind == FrameKind::Inertial);
-        if let (Some(frame), false) = (inertial, own(FRAMES[0])) {
-            standard.frames.insert(FRAMES[0], frame.name.text.clone());
+        if let (Some(frame), false) = (file.inertial(), own(FRAMES[0])) {
+            standard.frames.insert(FRAMES[0], frame.to_owned());
         }
         let Some(body) = file.body() else {
             return standard;

@@ -72,10 +72,7 @@ pub(crate) fn parse_statements(name: &str, text: &str, source: u16) -> Parsed {
     let diagnostics = parser.finish();
     Parsed {
         file,
-        source: Source {
-            name: name.to_owned(),
-            text: text.to_owned(),
-        },
+        source: Source::new(name, text),
         diagnostics,
     }
 }
@@ -92,10 +89,7 @@ pub(crate) fn too_long(name: &str, length: usize, source: u16) -> Parsed {
             end: span,
             ..ast::File::default()
         },
-        source: Source {
-            name: name.to_owned(),
-            text: String::new(),
-        },
+        source: Source::new(name, ""),
         diagnostics: vec![
             Diagnostic::new(Kind::Limit, span, message).help("is this the file you meant?"),
         ],

@@ -52,6 +52,12 @@ impl File {
         of_kind!(self.items.iter(), ItemKind::Frame)
     }
 
+    /// Name of the inertial frame; `None` if the file declares none.
+    pub(crate) fn inertial(&self) -> Option<&str> {
+        let inertial = self.frames().find(|own| own.kind == FrameKind::Inertial);
+        inertial.map(|own| own.name.text.as_str())
+    }
+
     /// The definition by `let`, or by a `param` that is computed, of a name.
     pub(crate) fn binding(&self, name: &str) -> Option<&Let> {
         of_kind!(self.items.iter(), ItemKind::Let).find(|own| own.name.text == name)

@@ -8,9 +8,7 @@ mod collisions;
 mod statements;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::syntax::ast::{
-    Body, BodyClass, Expr, File, FrameKind, Item, ItemKind, Load, LoadClass, Name,
-};
+use crate::syntax::ast::{Body, BodyClass, Expr, File, Item, ItemKind, Load, LoadClass, Name};
 use crate::syntax::body_parts::Triple;
 use crate::syntax::reserved::BodyQuantity;
 use crate::syntax::{Parts, of_kind};
@@ -119,11 +117,8 @@ struct Laws<'f> {
 impl<'f> Laws<'f> {
     fn of(file: &'f File, body: &'f Body) -> Result<Self, Vec<Diagnostic>> {
         let (parts, mut faults) = Parts::of(body);
-        let inertial = file
-            .frames()
-            .find(|frame| frame.kind == FrameKind::Inertial);
         // A model without frames is refused by the checks.
-        let inertial = inertial.map_or("N", |frame| frame.name.text.as_str());
+        let inertial = file.inertial().unwrap_or("N");
         let own = |span, message, help: &str| only_of_first(body, span, message, help);
         let of_first = [
             ("axis", parts.axis.map(|e| e.span)),
