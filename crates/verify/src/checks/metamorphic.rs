@@ -65,7 +65,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         .or(subject.reference.as_ref().map(|_| 3));
     let apply: Vec<_> = Relation::ALL
         .into_iter()
-        .filter(|(symmetry, _)| match symmetry {
+        .filter(|(relation, _)| match relation {
             Relation::SpinAngle => meaning.has_attitude() && axis.is_some(),
             Relation::Galilean => has_wind(subject.model),
             _ => true,
@@ -84,14 +84,20 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     for _ in 0..options.cases {
         let full = sample::point(subject.model, &mut random);
         let core = subject.without_extras(full.clone());
-        let draw = RandomTransformation::new(&mut random, axis.unwrap_or(3));
+        let sizes = RandomSizes::new(&mut random, axis.unwrap_or(3));
         let symmetric = is_symmetric(subject.model, &core);
         asymmetric |= !symmetric;
-        for &(symmetry, name) in &apply {
-            if symmetry == Relation::Mirror && !symmetric {
+        for &(relation, name) in &apply {
+            if relation == Relation::Mirror && !symmetric {
                 continue;
             }
-            let Some(error) = error(subject, &meaning, &core, symmetry, &draw) else {
+            let transformation = Transformation {
+                subject,
+                meaning: &meaning,
+                relation,
+                sizes: &sizes,
+            };
+            let Some(error) = transformation.error(&core) else {
                 if subject.is_known_by_claim() {
                     unseen.insert(name);
                     continue;
@@ -99,20 +105,19 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
                 return subject.without_meaning(METAMORPHIC);
             };
             seen.insert(name);
-            if subject.reference.is_none()
-                && observation_error(subject, &meaning, &core, symmetry, &draw)
-                    .is_some_and(|error| error.is_nan() || error > TOLERANCE)
-            {
+            let is_broken = |error: f64| error.is_nan() || error > TOLERANCE;
+            let observe = || transformation.observation_error(&core);
+            if subject.reference.is_none() && observe().is_some_and(is_broken) {
                 observed.insert(name);
             }
             worst.update(error, || name.to_owned());
-            if error.is_nan() || error > TOLERANCE {
+            if is_broken(error) {
                 of_model.insert(name);
             }
             for (index, names) in &mut broken {
                 let mut point = core.clone();
                 point.coefficients[*index] = full.coefficients[*index];
-                let error = self::error(subject, &meaning, &point, symmetry, &draw).unwrap_or(0.0);
+                let error = transformation.error(&point).unwrap_or(0.0);
                 if error > TOLERANCE && !names.contains(&name) {
                     names.push(name);
                 }
@@ -122,11 +127,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.reference.is_none() && !(of_model.is_empty() && observed.is_empty()) {
         // A force may depend on position, heading or handedness by design, as that of a cord or of a bent wing does.
         let mut names: Vec<String> = of_model.into_iter().map(str::to_owned).collect();
-        names.extend(
-            observed
-                .into_iter()
-                .map(|name| format!("{name}, as observed")),
-        );
+        let observed = observed.into_iter();
+        names.extend(observed.map(|name| format!("{name}, as observed")));
         let why = format!("the model claims no law; it breaks: {}", names.join(", "));
         return Row::skipped(METAMORPHIC, &why);
     }
@@ -161,7 +163,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
 }
 
 /// Shift (m), boost (m/s), delay (s), and angle (rad) about the vertical or the axis of revolution.
-struct RandomTransformation {
+struct RandomSizes {
     shift: Vector3<f64>,
     boost: Vector3<f64>,
     angle: f64,
@@ -170,7 +172,7 @@ struct RandomTransformation {
     axis: u8,
 }
 
-impl RandomTransformation {
+impl RandomSizes {
     fn new(random: &mut Random, axis: u8) -> Self {
         Self {
             shift: Vector3::from_fn(|_, _| random.within(10.0)),
@@ -182,141 +184,121 @@ impl RandomTransformation {
     }
 }
 
-/// Maximum relative difference of the rates from the transformed ones; `None` if they cannot be determined.
-fn error(
-    subject: &Subject<'_>,
-    meaning: &Meaning<'_>,
-    point: &Point<f64>,
-    symmetry: Relation,
-    draw: &RandomTransformation,
-) -> Option<f64> {
-    let model = subject.model;
-    let pace = subject.clock(point);
-    let change = meaning.rate(point, &subject.flight_rates(point), pace)?;
-    let (seen, expected) = transformed(subject, meaning, point, &change, symmetry, draw)?;
-    let pace = subject.clock(&seen);
-    let got = meaning.rate(&seen, &subject.flight_rates(&seen), pace)?;
-    let mut worst = Worst::default();
-    for (_, error) in rate_differences(&got, &expected) {
-        worst.update(error, String::new);
-    }
-    let overflows = || {
-        [point, &seen]
-            .iter()
-            .any(|at| overflow(model, at).is_some())
-    };
-    if worst.error.is_infinite() && overflows() {
-        // The comparison with the vector tree names what overflows.
-        return Some(0.0);
-    }
-    Some(worst.error)
+/// A relation that is checked, with the sizes of its transformation.
+struct Transformation<'a> {
+    subject: &'a Subject<'a>,
+    meaning: &'a Meaning<'a>,
+    relation: Relation,
+    sizes: &'a RandomSizes,
 }
 
-/// Maximum relative difference of the observation from the transformed one, and, for a delay, of the distances of marks;
-/// `None` without an observation, and for a relation that does not move a mark with its body.
-fn observation_error(
-    subject: &Subject<'_>,
-    meaning: &Meaning<'_>,
-    point: &Point<f64>,
-    symmetry: Relation,
-    draw: &RandomTransformation,
-) -> Option<f64> {
-    let zero = Vector3::zeros();
-    let change = PhysicalRate {
-        velocity: zero,
-        acceleration: zero,
-        angular_velocity: zero,
-        angular_acceleration: zero,
-    };
-    let (mut seen, _) = transformed(subject, meaning, point, &change, symmetry, draw)?;
-    let (mut turn, mut shift) = (Matrix3::identity(), zero);
-    match symmetry {
-        Relation::Translation => shift = draw.shift,
-        Relation::Heading => {
-            turn = Quaternion::turn(3, draw.angle).matrix();
-            let marker = subject.model.marker.as_ref();
-            if marker.is_some_and(|own| own.frame == INERTIAL) {
-                seen.marker = turn * point.marker;
-            }
+impl Transformation<'_> {
+    /// Maximum relative difference of the rates from the transformed ones; `None` if they cannot be determined.
+    fn error(&self, point: &Point<f64>) -> Option<f64> {
+        let change = self.rate(point)?;
+        let (seen, expected) = self.of(point, change)?;
+        let got = self.rate(&seen)?;
+        let mut worst = Worst::default();
+        for (_, error) in rate_differences(&got, &expected) {
+            worst.update(error, String::new);
         }
-        Relation::Delay => {
-            let of_marks = observed::distance_difference(subject, point).unwrap_or(0.0);
-            let of_time = observed::difference(subject, (point, &seen), &turn, &shift)?;
-            return Some(of_marks.max(of_time));
+        let mut both = [point, &seen].into_iter();
+        if worst.error.is_infinite() && both.any(|at| overflow(self.subject.model, at).is_some()) {
+            // The comparison with the vector tree names what overflows.
+            return Some(0.0);
         }
-        Relation::Galilean => {}
-        Relation::Mirror | Relation::SpinAngle => return None,
+        Some(worst.error)
     }
-    observed::difference(subject, (point, &seen), &turn, &shift)
-}
 
-/// The transformed point, and the rate at it by which the motion at `point` changes at the rate `change`; `None` if it has
-/// no such states.
-fn transformed(
-    subject: &Subject<'_>,
-    meaning: &Meaning<'_>,
-    point: &Point<f64>,
-    change: &PhysicalRate,
-    symmetry: Relation,
-    draw: &RandomTransformation,
-) -> Option<(Point<f64>, PhysicalRate)> {
-    let physical = meaning.physical(point)?;
-    let (moved, inputs, expected) =
-        transform(subject.model, point, &physical, change, symmetry, draw);
-    let mut seen = point.clone();
-    seen.inputs = inputs;
-    seen.states = meaning.states(&moved, &seen)?;
-    if symmetry == Relation::Delay {
-        seen.time += draw.delay;
+    /// Rate of the physical state at a point by the equations of motion.
+    fn rate(&self, point: &Point<f64>) -> Option<PhysicalRate> {
+        let rates = self.subject.flight_rates(point);
+        self.meaning.rate(point, &rates, self.subject.clock(point))
     }
-    Some((seen, expected))
-}
 
-fn transform(
-    model: &Model,
-    point: &Point<f64>,
-    p: &Physical<f64>,
-    change: &PhysicalRate,
-    symmetry: Relation,
-    draw: &RandomTransformation,
-) -> (Physical<f64>, Vec<Vector3<f64>>, PhysicalRate) {
-    let (mut p, mut change, mut inputs) = (*p, *change, point.inputs.clone());
-    let heading = Quaternion::turn(3, draw.angle);
-    match symmetry {
-        Relation::Delay => {}
-        Relation::Translation => p.position += draw.shift,
-        Relation::Heading => {
-            let turn = heading.matrix();
-            let attitude = heading.times(p.attitude);
-            map(&mut p, &mut change, turn, turn, attitude);
-            inputs.iter_mut().for_each(|v| *v = turn * *v);
-        }
-        Relation::Mirror => {
-            let polar = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
-            // Conjugating a rotation matrix with a reflection gives a rotation; a symmetric body is mapped to itself.
-            let attitude = Quaternion::from_matrix(&(polar * p.attitude.matrix() * polar));
-            map(&mut p, &mut change, polar, -polar, attitude);
-            for (input, v) in model.inputs.iter().zip(&mut inputs) {
-                *v = match input.unit.doubled[Base::Metre as usize] {
-                    0 => -polar * *v,
-                    _ => polar * *v,
-                };
-            }
-        }
-        Relation::Galilean => {
-            p.velocity += draw.boost;
-            change.velocity += draw.boost;
-            for (input, v) in model.inputs.iter().zip(&mut inputs) {
-                if is_velocity(input.unit) {
-                    *v += draw.boost;
+    /// Maximum relative difference of the observation from the transformed one, and, for a delay, of the distances of
+    /// marks; `None` without an observation, and for a relation that does not move a mark with its body.
+    fn observation_error(&self, point: &Point<f64>) -> Option<f64> {
+        let (subject, sizes) = (self.subject, self.sizes);
+        let zero = Vector3::zeros();
+        let at_rest = PhysicalRate {
+            velocity: zero,
+            acceleration: zero,
+            angular_velocity: zero,
+            angular_acceleration: zero,
+        };
+        let (mut seen, _) = self.of(point, at_rest)?;
+        let (mut turn, mut shift) = (Matrix3::identity(), zero);
+        match self.relation {
+            Relation::Translation => shift = sizes.shift,
+            Relation::Heading => {
+                turn = Quaternion::turn(3, sizes.angle).matrix();
+                let marker = subject.model.marker.as_ref();
+                if marker.is_some_and(|own| own.frame == INERTIAL) {
+                    seen.marker = turn * point.marker;
                 }
             }
+            Relation::Delay => {
+                let of_marks = observed::distance_difference(subject, point).unwrap_or(0.0);
+                let of_time = observed::difference(subject, (point, &seen), &turn, &shift)?;
+                return Some(of_marks.max(of_time));
+            }
+            Relation::Galilean => {}
+            Relation::Mirror | Relation::SpinAngle => return None,
         }
-        Relation::SpinAngle => {
-            p.attitude = p.attitude.times(Quaternion::turn(draw.axis, draw.angle));
-        }
+        observed::difference(subject, (point, &seen), &turn, &shift)
     }
-    (p, inputs, change)
+
+    /// The transformed point, and the rate at it by which the motion at `point` changes at the rate `change`; `None` if
+    /// it has no such states.
+    fn of(
+        &self,
+        point: &Point<f64>,
+        mut change: PhysicalRate,
+    ) -> Option<(Point<f64>, PhysicalRate)> {
+        let sizes = self.sizes;
+        let mut p = self.meaning.physical(point)?;
+        let mut seen = point.clone();
+        let inputs = self.subject.model.inputs.iter().zip(&mut seen.inputs);
+        match self.relation {
+            Relation::Delay => {}
+            Relation::Translation => p.position += sizes.shift,
+            Relation::Heading => {
+                let heading = Quaternion::turn(3, sizes.angle);
+                let turn = heading.matrix();
+                let attitude = heading.times(p.attitude);
+                map(&mut p, &mut change, turn, turn, attitude);
+                inputs.for_each(|(_, v)| *v = turn * *v);
+            }
+            Relation::Mirror => {
+                let polar = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
+                // Conjugating a rotation matrix with a reflection gives a rotation; a symmetric body is mapped to itself.
+                let attitude = Quaternion::from_matrix(&(polar * p.attitude.matrix() * polar));
+                map(&mut p, &mut change, polar, -polar, attitude);
+                for (input, v) in inputs {
+                    *v = match input.unit.doubled[Base::Metre as usize] {
+                        0 => -polar * *v,
+                        _ => polar * *v,
+                    };
+                }
+            }
+            Relation::Galilean => {
+                p.velocity += sizes.boost;
+                change.velocity += sizes.boost;
+                let of_air = inputs.filter(|(input, _)| is_velocity(input.unit));
+                of_air.for_each(|(_, v)| *v += sizes.boost);
+            }
+            Relation::SpinAngle => {
+                let turn = Quaternion::turn(sizes.axis, sizes.angle);
+                p.attitude = p.attitude.times(turn);
+            }
+        }
+        seen.states = self.meaning.states(&p, &seen)?;
+        if self.relation == Relation::Delay {
+            seen.time += sizes.delay;
+        }
+        Some((seen, change))
+    }
 }
 
 /// Maps a physical state and its rate: polar vectors by `polar`, axial ones by `axial`.

@@ -122,7 +122,7 @@ pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
         for change in statement::changes(item, &names, &angles) {
             let mut file = file.clone();
             match change.to {
-                Some(to) => file.items[index] = to,
+                Some(kind) => file.items[index].kind = kind,
                 None => drop(file.items.remove(index)),
             }
             out.push(Mutant {

@@ -4,105 +4,75 @@ use super::names::Names;
 use super::{Mutation, Operator};
 use model_spec::diagnostic::Span;
 use model_spec::syntax::ast::{
-    BodyPart, BodyPartKind, Expr, FrameKind, Interpolation, Item, ItemKind, LoadClass, Name, Table,
-    UnitExpr, UnitFactor,
+    Body, BodyPart, BodyPartKind, Expr, Frame, FrameKind, Interpolation, Item, ItemKind, Load,
+    LoadClass, Name, Table, UnitExpr, UnitFactor,
 };
 
 /// Mutations of a statement but not of its expressions; `None` deletes it. `angles` may replace a frame's angle.
-pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Option<Item>>> {
-    let mut out = Changes {
-        item,
-        list: Vec::new(),
-    };
+pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Option<ItemKind>>> {
+    let mut out = Vec::new();
+    let mut push = |operator, how: String, to| out.push(Mutation { operator, how, to });
     match &item.kind {
         ItemKind::Parameter(c) => {
-            let (unit, at) = (&c.value.unit, c.value.span);
+            let (unit, at) = (c.value.unit.as_ref(), c.value.span);
             let mut set = |how: &str, unit: Option<UnitExpr>| {
-                out.push(Operator::Unit, how.to_owned(), &|item| {
-                    // Bounds without a unit have the unit of the default value.
-                    if let ItemKind::Parameter(c) = &mut item.kind {
-                        c.value.unit.clone_from(&unit);
-                    }
-                });
+                // Bounds without a unit have the unit of the default value.
+                let mut c = c.clone();
+                c.value.unit = unit;
+                push(Operator::Unit, how.to_owned(), Some(ItemKind::Parameter(c)));
             };
-            set("unit times m", Some(times(unit.as_ref(), "m", at)));
-            set("unit times s", Some(times(unit.as_ref(), "s", at)));
+            set("unit times m", Some(times(unit, "m", at)));
+            set("unit times s", Some(times(unit, "s", at)));
             if unit.is_some() {
                 set("unit left out", None);
             }
         }
-        ItemKind::Input(i) => frame_of_components(&mut out, &i.frame, names),
-        ItemKind::Marker(m) => frame_of_components(&mut out, &m.frame, names),
-        ItemKind::Table(t) => table(&mut out, t),
-        ItemKind::Frame(f) => frame(&mut out, &f.kind, names, angles),
+        ItemKind::Input(i) => {
+            for other in names.other_frames(&i.frame.text) {
+                let mut i = i.clone();
+                i.frame.text.clone_from(other);
+                push(
+                    Operator::Frame,
+                    format!("in {other}"),
+                    Some(ItemKind::Input(i)),
+                );
+            }
+        }
+        ItemKind::Marker(m) => {
+            for other in names.other_frames(&m.frame.text) {
+                let mut m = m.clone();
+                m.frame.text.clone_from(other);
+                push(
+                    Operator::Frame,
+                    format!("in {other}"),
+                    Some(ItemKind::Marker(m)),
+                );
+            }
+        }
+        ItemKind::Table(t) => table(t, &mut push),
+        ItemKind::Frame(f) => frame(f, names, angles, &mut push),
         ItemKind::Load(l) => {
-            out.list.push(Mutation {
-                operator: Operator::Dropped,
-                how: "left out".into(),
-                to: None,
-            });
-            let other = match l.class {
+            push(Operator::Dropped, "left out".into(), None);
+            let class = match l.class {
                 LoadClass::Force => LoadClass::Moment,
                 LoadClass::Moment => LoadClass::Force,
             };
-            let how = format!("{other:?} instead").to_lowercase();
-            out.push(Operator::Exchanged, how, &|item| {
-                if let ItemKind::Load(l) = &mut item.kind {
-                    l.class = other;
-                }
-            });
+            let how = format!("{class:?} instead").to_lowercase();
+            let other = Load { class, ..l.clone() };
+            push(Operator::Exchanged, how, Some(ItemKind::Load(other)));
         }
         ItemKind::Body(b) => {
-            for (index, part) in b.parts.iter().enumerate() {
-                body_part(&mut out, index, part, names);
+            for index in 0..b.parts.len() {
+                body_part(b, index, names, &mut push);
             }
         }
         _ => {}
     }
-    out.list
-}
-
-struct Changes<'a> {
-    item: &'a Item,
-    list: Vec<Mutation<Option<Item>>>,
-}
-
-impl Changes<'_> {
-    fn push(&mut self, operator: Operator, how: String, change: &dyn Fn(&mut Item)) {
-        let mut to = self.item.clone();
-        change(&mut to);
-        self.list.push(Mutation {
-            operator,
-            how,
-            to: Some(to),
-        });
-    }
-}
-
-/// Mutations of the frame of an input or a marker.
-fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
-    for other in names.other_frames(&frame.text) {
-        out.push(
-            Operator::Frame,
-            format!("in {other}"),
-            &|item| match &mut item.kind {
-                ItemKind::Input(i) => i.frame.text.clone_from(other),
-                ItemKind::Marker(m) => m.frame.text.clone_from(other),
-                _ => {}
-            },
-        );
-    }
+    out
 }
 
 /// Mutations of a table: a value of each knot, and another interpolation.
-fn table(out: &mut Changes<'_>, table: &Table) {
-    let mut change = |operator, how: String, change: &dyn Fn(&mut Table)| {
-        out.push(operator, how, &|item| {
-            if let ItemKind::Table(table) = &mut item.kind {
-                change(table);
-            }
-        });
-    };
+fn table(table: &Table, push: &mut impl FnMut(Operator, String, Option<ItemKind>)) {
     for (k, (argument, values)) in table.rows.iter().enumerate() {
         for (column, value) in values.iter().enumerate() {
             let Ok(number) = value.number.text.parse::<f64>() else {
@@ -111,42 +81,50 @@ fn table(out: &mut Changes<'_>, table: &Table) {
             let changed = if number == 0.0 { 0.1 } else { number * 1.1 };
             let second = table.columns.get(column);
             let second = second.map_or(String::new(), |knot| format!(", {knot}"));
-            change(
-                Operator::Factor,
-                format!("{changed} at {argument}{second}"),
-                &|table| table.rows[k].1[column].number.text = format!("{changed:e}"),
-            );
+            let how = format!("{changed} at {argument}{second}");
+            let mut to = table.clone();
+            to.rows[k].1[column].number.text = format!("{changed:e}");
+            push(Operator::Factor, how, Some(ItemKind::Table(to)));
         }
     }
-    change(Operator::Function, String::from("other slopes"), &|table| {
-        table.interpolation = match table.interpolation {
-            Interpolation::Spline if table.arguments.len() == 1 => Interpolation::Monotone,
-            Interpolation::Spline => Interpolation::Linear,
-            Interpolation::Monotone | Interpolation::Linear => Interpolation::Spline,
-        };
-    });
+    let interpolation = match table.interpolation {
+        Interpolation::Spline if table.arguments.len() == 1 => Interpolation::Monotone,
+        Interpolation::Spline => Interpolation::Linear,
+        Interpolation::Monotone | Interpolation::Linear => Interpolation::Spline,
+    };
+    let to = Table {
+        interpolation,
+        ..table.clone()
+    };
+    push(
+        Operator::Function,
+        "other slopes".into(),
+        Some(ItemKind::Table(to)),
+    );
 }
 
-fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]) {
+fn frame(
+    frame: &Frame,
+    names: &Names,
+    angles: &[Name],
+    push: &mut impl FnMut(Operator, String, Option<ItemKind>),
+) {
     let FrameKind::Turned {
         parent,
         angle,
         axis,
-    } = kind
+    } = &frame.kind
     else {
         return;
     };
     let mut turned = |how: String, parent: &Name, angle: &Name, axis: u8| {
-        let kind = FrameKind::Turned {
+        let mut to = frame.clone();
+        to.kind = FrameKind::Turned {
             parent: parent.clone(),
             angle: angle.clone(),
             axis,
         };
-        out.push(Operator::Turn, how, &|item| {
-            if let ItemKind::Frame(f) = &mut item.kind {
-                f.kind = kind.clone();
-            }
-        });
+        push(Operator::Turn, how, Some(ItemKind::Frame(to)));
     };
     for other in (1..=3).filter(|other| other != axis) {
         turned(format!("about {other} for {axis}"), parent, angle, other);
@@ -161,44 +139,48 @@ fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]
 }
 
 /// Mutations of the part `index` of a body: another frame, interchanged components.
-fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPart, names: &Names) {
-    let mut push = |operator, how: String, change: &dyn Fn(&mut BodyPart)| {
-        out.push(operator, how, &|item| {
-            if let ItemKind::Body(b) = &mut item.kind {
-                change(&mut b.parts[index]);
-            }
-        });
-    };
+fn body_part(
+    body: &Body,
+    index: usize,
+    names: &Names,
+    push: &mut impl FnMut(Operator, String, Option<ItemKind>),
+) {
+    let part = &body.parts[index];
     let mut named = part.clone();
-    let Some((what, frame)) = frame_of_part(&mut named) else {
+    let Some(frame) = frame_of_part(&mut named) else {
         return;
+    };
+    let what = part.words.trim_end_matches(" in");
+    let mut push = |operator, how: String, change: &dyn Fn(&mut BodyPart)| {
+        let mut to = body.clone();
+        change(&mut to.parts[index]);
+        push(operator, how, Some(ItemKind::Body(to)));
     };
     for other in names.other_frames(&frame.text) {
         push(Operator::Frame, format!("{what} in {other}"), &|part| {
-            if let Some((_, frame)) = frame_of_part(part) {
+            if let Some(frame) = frame_of_part(part) {
                 frame.text.clone_from(other);
             }
         });
     }
     match &part.kind {
-        BodyPartKind::Inertia(_) => {
+        BodyPartKind::Inertia(inertia) => {
             for (i, j) in [(0, 1), (1, 2), (0, 2)] {
                 let how = format!("moments of inertia {} and {} swapped", i + 1, j + 1);
+                let mut to = inertia.clone();
+                (to.rows[i][i], to.rows[j][j]) = (to.rows[j][j].take(), to.rows[i][i].take());
                 push(Operator::Axis, how, &|part| {
-                    if let BodyPartKind::Inertia(to) = &mut part.kind {
-                        (to.rows[i][i], to.rows[j][j]) =
-                            (to.rows[j][j].take(), to.rows[i][i].take());
-                    }
+                    part.kind = BodyPartKind::Inertia(to.clone());
                 });
             }
         }
-        BodyPartKind::States(states, ..) => {
+        BodyPartKind::States(states, frame, values) => {
             for (i, j) in [(0, 1), (1, 2)] {
                 let how = format!("{what}: {} and {} swapped", states[i].text, states[j].text);
+                let mut to = states.clone();
+                to.swap(i, j);
                 push(Operator::Axis, how, &|part| {
-                    if let BodyPartKind::States(states, ..) = &mut part.kind {
-                        states.swap(i, j);
-                    }
+                    part.kind = BodyPartKind::States(to.clone(), frame.clone(), values.clone());
                 });
             }
         }
@@ -206,14 +188,13 @@ fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPart, names: &Names
     }
 }
 
-/// Frame of a part of a body, with a name of the part; `None` for the mass.
-fn frame_of_part(part: &mut BodyPart) -> Option<(&'static str, &mut Name)> {
-    let frame = match &mut part.kind {
-        BodyPartKind::Value(_) => return None,
-        BodyPartKind::Inertia(inertia) => &mut inertia.frame,
-        BodyPartKind::Frame(frame) | BodyPartKind::States(_, frame, _) => frame,
-    };
-    Some((part.words.trim_end_matches(" in"), frame))
+/// Frame of a part of a body; `None` for the mass.
+fn frame_of_part(part: &mut BodyPart) -> Option<&mut Name> {
+    match &mut part.kind {
+        BodyPartKind::Value(_) => None,
+        BodyPartKind::Inertia(inertia) => Some(&mut inertia.frame),
+        BodyPartKind::Frame(frame) | BodyPartKind::States(_, frame, _) => Some(frame),
+    }
 }
 
 fn times(unit: Option<&UnitExpr>, symbol: &str, at: Span) -> UnitExpr {
