@@ -6,7 +6,7 @@ use crate::sample;
 use model_spec::layout::needed;
 use model_spec::model::{AuxVariable, Balance, Expr, ExprKind, Model};
 use nalgebra::DMatrix;
-use oracle::{Point, Tree, Value, moving};
+use oracle::{Point, Tree, moving};
 
 /// Random points at which the balances may determine the rates: at some they degenerate, such as the energy at rest.
 const RANK_POINTS: usize = 4;
@@ -42,11 +42,7 @@ fn changes(model: &Model, quantities: &[&Expr], point: &Point<f64>, state: usize
     rates[state] = 1.0;
     let moving = moving(point, &rates, 0.0);
     let tree = Tree::without_unknowns(model, &moving, quantities);
-    let values = quantities.iter().map(|own| tree.value(own));
-    let parts = values.flat_map(|value| match value {
-        Value::Scalar(own) => vec![own],
-        Value::Vector(own) => own.iter().copied().collect(),
-    });
+    let parts = { quantities.iter() }.flat_map(|own| tree.value(own).components());
     parts.map(|part| part.derivative).collect()
 }
 

@@ -63,16 +63,17 @@ pub fn outputs(tape: &Tape, inputs: &Inputs<f64>) -> Vec<f64> {
     out
 }
 
+fn vector(components: &[f64]) -> Option<Vector3<f64>> {
+    <[f64; 3]>::try_from(components).ok().map(Vector3::from)
+}
+
 impl Equations for Engine {
     fn rates(&self, point: &Point<f64>) -> Vec<f64> {
         self.eval(&self.f, point)
     }
 
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>> {
-        match self.eval(&self.observe, point).as_slice() {
-            &[x, y, z] => Some(Vector3::new(x, y, z)),
-            _ => None,
-        }
+        vector(&self.eval(&self.observe, point))
     }
 
     fn magnitudes(&self, point: &Point<f64>) -> Vec<f64> {
@@ -128,10 +129,7 @@ impl Equations for Values {
     }
 
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>> {
-        match self.eval(point).get(self.layout.states.len()..)? {
-            &[x, y, z] => Some(Vector3::new(x, y, z)),
-            _ => None,
-        }
+        vector(self.eval(point).get(self.layout.states.len()..)?)
     }
 
     fn magnitudes(&self, point: &Point<f64>) -> Vec<f64> {

@@ -8,7 +8,7 @@
 use super::backends::{Functions, Tapes, results_of};
 use super::disputed::{Disputed, Part};
 use super::function_rows::{
-    Variable, bounded, compared, functions, reference_column, seed, tree_column, variables,
+    Variable, compared, functions, moving_along, reference_column, tree_column, variables,
 };
 use super::precision::{Finding, Tally, bounded_by};
 use crate::evaluation::Inputs;
@@ -35,9 +35,10 @@ pub const CHECKS: [&str; 4] = [
 /// Scalar that differentiates by three methods at once.
 type ThreeWays = Lockstep<Bounded, Lockstep<NumDual, ComplexStep>>;
 
-fn three_ways(value: f64, derivative: f64) -> ThreeWays {
+fn three_ways(first: Bounded) -> ThreeWays {
+    let (value, derivative) = (first.value.value, first.derivative.value);
     Lockstep {
-        first: bounded(value, derivative),
+        first,
         second: Lockstep {
             first: NumDual::new(value, derivative),
             second: ComplexStep::new(value, derivative),
@@ -102,7 +103,8 @@ impl<'a> Comparison<'a> {
         let (variables, results) = self.found(point);
         let code = OnceCell::new();
         for variable in &variables {
-            let expected = tree_column(model, &seed(point, variable, three_ways)).ok()?;
+            let moving = moving_along(&point.lift(), variable).map(three_ways);
+            let expected = tree_column(model, &moving).ok()?;
             let size = size(point, variable.index);
             let disputed = Disputed {
                 model,
@@ -169,9 +171,8 @@ impl<'a> Comparison<'a> {
         let known = { variables.iter() }.filter(|v| has_reference(model, reference, v.index));
         for variable in known {
             // The tree is already instantiated for `ThreeWays`, whose first component is the bounded dual number.
-            let clocked = seed(point, variable, three_ways);
-            let clock_rate = Tree::new(model, &clocked).clock().first;
-            let point = seed(point, variable, bounded);
+            let point = moving_along(&point.lift(), variable);
+            let clock_rate = Tree::new(model, &point.map(three_ways)).clock().first;
             let mut expected = reference_column(reference, model, &point);
             let rates = expected.iter_mut().take(model.states.len());
             rates.for_each(|rate| *rate *= clock_rate);

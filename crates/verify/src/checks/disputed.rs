@@ -1,6 +1,6 @@
 //! Values and derivatives at one point about which the code and a reference in `f64` disagree, decided in 256 bits.
 
-use super::function_rows::{Value, Variable, bounded, compared, functions, seed, tree_column};
+use super::function_rows::{Value, Variable, compared, functions, law};
 use super::precision::{Exact, Finding, decide, exact_column, neighbours};
 use crate::evaluation::{overflowing, results};
 use crate::options::TOLERANCE;
@@ -102,8 +102,7 @@ impl Disputed<'_> {
     fn agrees_beside(&self, found: f64, row: usize, part: Part) -> bool {
         found.is_finite()
             && neighbours(self.point).any(|beside| {
-                let seeded = seed(&beside, self.variable, bounded);
-                let column = tree_column(self.model, &seeded).unwrap_or_default();
+                let column = law(self.model, &beside.lift(), self.variable).unwrap_or_default();
                 let law = column.get(row).map(|v| part.of(v.value, v.derivative));
                 law.is_some_and(|law| law.relative_error(found) <= TOLERANCE)
             })

@@ -1,10 +1,9 @@
 //! Rows and directions for the comparison of compiled functions with the model's vector expressions.
 
-use crate::subject::Bounded;
 use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::{FrameKind, Model};
-use oracle::scalar::{Dual, ErrorBound, Field, Real};
+use oracle::scalar::{Dual, Field, Real};
 use oracle::{Point, Reference, Tree, Unsupported, derivatives_of};
 use std::ops::Range;
 
@@ -60,16 +59,23 @@ pub(crate) fn law<T: Real>(
     point: &Point<T>,
     variable: &Variable<'_, T>,
 ) -> Option<Vec<Dual<T>>> {
-    let mut point = point.map(Dual::constant);
-    for (state, &d) in point.states.iter_mut().zip(&variable.direction) {
+    tree_column(model, &moving_along(point, variable)).ok()
+}
+
+/// The point with derivatives with respect to a variable.
+pub(crate) fn moving_along<T: Real>(
+    point: &Point<T>,
+    variable: &Variable<'_, T>,
+) -> Point<Dual<T>> {
+    let mut moving = point.map(Dual::constant);
+    for (state, &d) in moving.states.iter_mut().zip(&variable.direction) {
         state.derivative = d;
     }
-    if let Some(k) = variable.index.checked_sub(model.states.len())
-        && let Some(value) = point.parameters_mut().nth(k)
-    {
+    let parameter = variable.index.checked_sub(point.states.len());
+    if let Some(value) = parameter.and_then(|k| moving.parameters_mut().nth(k)) {
         value.derivative = T::one();
     }
-    tree_column(model, &point).ok()
+    moving
 }
 
 /// A scalar result of a compiled function, and its derivative with respect to a variable.
@@ -240,30 +246,6 @@ pub(crate) fn reference_column<T: Real>(
     let mut out = reference.derivatives(point);
     if model.observation.is_some() {
         out.extend(reference.observation(point).iter());
-    }
-    out
-}
-
-/// The [`Bounded`] number with this value and this derivative.
-pub fn bounded(value: f64, derivative: f64) -> Bounded {
-    Dual::new(ErrorBound::lit(value), ErrorBound::lit(derivative))
-}
-
-/// The point with derivatives with respect to a variable; `seeded(value, derivative)` creates a scalar.
-pub fn seed<T: Real>(
-    point: &Point<f64>,
-    variable: &Variable<'_, ErrorBound>,
-    seeded: fn(f64, f64) -> T,
-) -> Point<T> {
-    let mut out = point.lift::<T>();
-    for (state, derivative) in out.states.iter_mut().zip(&variable.direction) {
-        if derivative.value != 0.0 {
-            *state = seeded(state.re(), derivative.value);
-        }
-    }
-    let parameter = variable.index.checked_sub(point.states.len());
-    if let Some(value) = parameter.and_then(|k| out.parameters_mut().nth(k)) {
-        *value = seeded(value.re(), 1.0);
     }
     out
 }

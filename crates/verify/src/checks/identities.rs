@@ -7,7 +7,7 @@ use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::{Bounded, Subject, along, body_properties, errors};
 use nalgebra::Vector3;
-use oracle::scalar::{Dual, ErrorBound, Real};
+use oracle::scalar::{ErrorBound, Real};
 use oracle::{BalanceLaw, ClaimedBody, MassProperties, Motion, Point, Tree, Turning, inertia_in_n};
 
 /// Name of this check in reports: balances of momentum, angular momentum and energy at random points.
@@ -42,16 +42,10 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             return Row::unverified(IDENTITIES, "there are no equations to evaluate");
         }
         // Each state is seeded with its rate, so the dual parts are time derivatives.
-        let along: Vec<Bounded> = point
-            .states
-            .iter()
-            .zip(&rates)
-            .map(|(&value, &rate)| Dual {
-                value: ErrorBound::lit(value),
-                derivative: ErrorBound::lit(rate),
-            })
-            .collect();
-        let body = chart.physical(&along);
+        let bound = ErrorBound::lit;
+        let along = point.states.iter().zip(&rates);
+        let along = along.map(|(&value, &rate)| Bounded::new(bound(value), bound(rate)));
+        let body = chart.physical(&along.collect::<Vec<_>>());
         let constant = Bounded::constant;
         let turning = properties.inertia.map(|inertia| {
             let axes = body.attitude.matrix();
