@@ -5,9 +5,9 @@
 mod blocks;
 mod functions;
 mod solve;
+mod unit;
 
 use crate::location::Span;
-use crate::unit::Unit;
 pub use blocks::{
     Body, BodyClass, BodyPart, BodyPartKind, Check, CheckPart, Continuation, Effect, EffectPart,
     Inertia, InitialValues, Interpolation, Need, Table,
@@ -17,6 +17,7 @@ pub use functions::{
 };
 pub use solve::{Balance, ImplicitEquation, Solve, UnknownQuantity};
 use std::sync::Arc;
+pub use unit::{UnitExpr, UnitFactor};
 
 /// A parsed file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -185,61 +186,6 @@ impl Quantity {
             span,
         }
     }
-}
-
-/// Unit expression: a product of powers of unit symbols, or [`UnitExpr::INFERRED`] alone.
-#[derive(Clone, Debug, PartialEq)]
-pub struct UnitExpr {
-    /// Powers of unit symbols whose product is the unit.
-    pub factors: Vec<UnitFactor>,
-    /// Source span of the unit expression.
-    pub span: Span,
-}
-
-impl UnitExpr {
-    pub(crate) fn of(unit: Unit, span: Span) -> UnitExpr {
-        let factors = unit.powers().map(|(symbol, doubled)| UnitFactor {
-            symbol: symbol.to_owned(),
-            doubled: doubled.into(),
-            span,
-        });
-        UnitExpr {
-            factors: factors.collect(),
-            span,
-        }
-    }
-
-    /// A unit by its symbol alone.
-    pub(crate) fn symbol(symbol: &str, span: Span) -> UnitExpr {
-        let factor = UnitFactor {
-            symbol: symbol.to_owned(),
-            doubled: 2,
-            span,
-        };
-        UnitExpr {
-            factors: vec![factor],
-            span,
-        }
-    }
-
-    /// Symbol `?` of a unit to be inferred, as in the declaration `param k = 2 [?];`.
-    pub const INFERRED: &str = "?";
-
-    /// Whether the unit is `[?]`, so that it is inferred from the uses of the declared name.
-    pub fn is_inferred(&self) -> bool {
-        matches!(&self.factors[..], [only] if only.symbol == UnitExpr::INFERRED)
-    }
-}
-
-/// One power of a unit symbol.
-#[derive(Clone, Debug, PartialEq)]
-pub struct UnitFactor {
-    /// Unit symbol, such as `kg`.
-    pub symbol: String,
-    /// Twice the exponent of the symbol, so that half powers are stored as integers.
-    pub doubled: i32,
-    /// Source span of the symbol with its exponent.
-    pub span: Span,
 }
 
 /// Whether a parameter is a known constant, a coefficient to be estimated, or an input.
