@@ -60,7 +60,7 @@ pub(super) fn run(options: &Diagnose) -> anyhow::Result<Answer> {
 /// Diagnoses a model, and verifies its extension.
 ///
 /// # Errors
-/// Those of [`diagnose`], or if the extended model is faulty.
+/// Those of [`diagnose()`], or if the extended model is faulty.
 pub fn diagnosis(
     model: &Model,
     dataset: &Dataset,
