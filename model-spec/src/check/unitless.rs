@@ -95,7 +95,8 @@ impl<'a> Checker<'a> {
     /// Collects the declarations without a unit and the variables that an expression uses.
     fn unitless_operands(&self, e: &Expr, variables: &mut Vec<usize>, names: &mut Vec<Span>) {
         if let ExprKind::AuxVariable(i) = e.kind {
-            variables.push(i);
+            // Those of a function that was checked are no longer there.
+            variables.extend((i < self.model.aux_variables.len()).then_some(i));
             return;
         }
         let Some((_, name, _)) = self.declared(&e.kind) else {
