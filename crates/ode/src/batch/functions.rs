@@ -4,13 +4,13 @@
 use super::{LanePoint, LaneRhs, LaneSizes};
 use lanes::{Enclosure, LaneKernel, Lanes, Switch};
 
-/// Function of a [`LaneRhs`], with its arguments.
+/// Function of a [`LaneRhs`]; [`Function::Prepare`] reads the parameters of a point alone.
 #[derive(Clone, Copy)]
-pub(crate) enum Call<'a, T> {
-    Prepare(&'a [T]),
-    Derivative(&'a LanePoint<'a, T>),
-    Limits(&'a LanePoint<'a, T>),
-    Switches(&'a LanePoint<'a, T>),
+pub(crate) enum Function {
+    Prepare,
+    Derivative,
+    Limits,
+    Switches,
 }
 
 /// A [`LaneRhs`] evaluated on SIMD lanes of the type `T`. The functions are compiled for the instruction set of these
@@ -21,7 +21,9 @@ pub(crate) trait LaneFunctions<T> {
     fn switches(&self) -> &[Switch];
     fn switch_bounds(&self, t: Enclosure, x: &[Enclosure], p: &[f64], to: &mut [Enclosure])
     -> bool;
-    fn call(&self, call: Call<'_, T>, scratch: &mut [T], to: &mut [T]);
+    /// The function and its point are arguments of their own: as one in memory, they would be written in parts and read as a
+    /// whole, for which a processor waits.
+    fn call(&self, function: Function, at: &LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]);
 }
 
 impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
@@ -47,10 +49,11 @@ impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
         LaneRhs::switch_bounds(self, t, x, p, to)
     }
 
-    fn call(&self, call: Call<'_, T>, scratch: &mut [T], to: &mut [T]) {
+    fn call(&self, function: Function, at: &LanePoint<'_, T>, scratch: &mut [T], to: &mut [T]) {
         T::outlined(Outlined {
             rhs: self,
-            call,
+            function,
+            at,
             scratch,
             to,
         });
@@ -59,7 +62,8 @@ impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
 
 struct Outlined<'a, T, R> {
     rhs: &'a R,
-    call: Call<'a, T>,
+    function: Function,
+    at: &'a LanePoint<'a, T>,
     scratch: &'a mut [T],
     to: &'a mut [T],
 }
@@ -68,13 +72,17 @@ impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Outlined<'_, T, R> {
     #[inline(always)]
     fn run(self) {
         let Outlined {
-            rhs, scratch, to, ..
+            rhs,
+            at,
+            scratch,
+            to,
+            ..
         } = self;
-        match self.call {
-            Call::Prepare(p) => rhs.prepare(p, scratch, to),
-            Call::Derivative(at) => rhs.derivative(*at, scratch, to),
-            Call::Limits(at) => rhs.limits(*at, scratch, to),
-            Call::Switches(at) => rhs.switch_arguments(*at, scratch, to),
+        match self.function {
+            Function::Prepare => rhs.prepare(at.p, scratch, to),
+            Function::Derivative => rhs.derivative(*at, scratch, to),
+            Function::Limits => rhs.limits(*at, scratch, to),
+            Function::Switches => rhs.switch_arguments(*at, scratch, to),
         }
     }
 }

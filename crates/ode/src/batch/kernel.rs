@@ -6,7 +6,7 @@ mod stop;
 use self::overlooked::Watch;
 use super::control::{Control, MAX_LANES};
 use super::events::HeightEnds;
-use super::functions::{Call, LaneFunctions};
+use super::functions::{Function, LaneFunctions};
 use super::norms::error_norm;
 use super::stages::Stages;
 use super::staging::{LaneValues, Staging, merge};
@@ -242,7 +242,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
             };
             let to = self.stages.stage_mut(s);
             self.rhs
-                .call(Call::Derivative(&point), &mut self.scratch, to);
+                .call(Function::Derivative, &point, &mut self.scratch, to);
         }
         self.evaluations += rows.len() as u64;
     }
@@ -295,13 +295,10 @@ impl<'a, T: Lanes> Flying<'a, T> {
             (h * self.stages.stage(0)[z]).store(&mut ends[2]);
             (h * self.stages.stage(last)[z]).store(&mut ends[3]);
             for lane in 0..T::WIDTH {
-                let height = HeightEnds {
-                    start: ends[0][lane],
-                    end: ends[1][lane],
-                    start_slope: ends[2][lane],
-                    end_slope: ends[3][lane],
-                };
-                self.heights[lane] = height;
+                // In place: a copy of the whole would wait for its parts to be written.
+                let height = &mut self.heights[lane];
+                (height.start, height.end) = (ends[0][lane], ends[1][lane]);
+                (height.start_slope, height.end_slope) = (ends[2][lane], ends[3][lane]);
                 let peaks = self.span.seeks_apex & height.has_peak();
                 let is_near = self.span.until_ground & height.is_near_ground();
                 asks[lane] = accepted[lane] & (peaks | (is_near && height.may_land()));
@@ -327,7 +324,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
                 prepared: &self.values.prepared,
             };
             self.rhs
-                .call(Call::Limits(&point), &mut self.scratch, margins);
+                .call(Function::Limits, &point, &mut self.scratch, margins);
         }
         let mut least = T::splat(f64::INFINITY);
         for limit in 0..self.margins[0].len() {
@@ -396,7 +393,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
         };
         let rates = &mut self.within;
         self.rhs
-            .call(Call::Derivative(&point), &mut self.scratch, rates);
+            .call(Function::Derivative, &point, &mut self.scratch, rates);
         merge(T::load(&keep), rates, self.stages.stage_mut(0));
         self.evaluations += 1;
     }

@@ -2,7 +2,7 @@
 //! derivative and initial step size.
 
 use super::control::MAX_LANES;
-use super::functions::{Call, LaneFunctions};
+use super::functions::{Function, LaneFunctions};
 use super::norms::{change_norm, initial_norms};
 use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneSizes};
 use crate::options::{IntegrationOptions, SolverStats};
@@ -120,7 +120,13 @@ impl<T: Lanes> Staging<T> {
         }
         let (dx, margins) = (&mut self.dx, &mut self.margins);
         let LaneValues { x, p, prepared } = values;
-        rhs.call(Call::Prepare(p), scratch, prepared);
+        let of_parameters = LanePoint {
+            t: T::splat(0.0),
+            x,
+            p,
+            prepared: &[],
+        };
+        rhs.call(Function::Prepare, &of_parameters, scratch, prepared);
         let tolerance = options.tolerance(usize::MAX);
         let max_step = options.max_step.min(span.t_end);
         let mut norms = [T::splat(0.0); 2];
@@ -146,7 +152,7 @@ impl<T: Lanes> Staging<T> {
                 p,
                 prepared,
             };
-            rhs.call(Call::Derivative(&point), scratch, to);
+            rhs.call(Function::Derivative, &point, scratch, to);
         }
         let change = change_norm(x, (dx, &self.euler_rate), &tolerance);
         let start = LanePoint {
@@ -155,7 +161,7 @@ impl<T: Lanes> Staging<T> {
             p,
             prepared,
         };
-        rhs.call(Call::Limits(&start), scratch, margins);
+        rhs.call(Function::Limits, &start, scratch, margins);
         for (lane, is_new) in is_new.iter().enumerate().take(T::WIDTH) {
             if !is_new {
                 continue;

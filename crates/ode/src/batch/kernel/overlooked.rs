@@ -6,7 +6,7 @@
 use super::Flying;
 use crate::batch::LanePoint;
 use crate::batch::control::MAX_LANES;
-use crate::batch::functions::{Call, LaneFunctions};
+use crate::batch::functions::{Function, LaneFunctions};
 use crate::batch::staging::{LaneValues, merge};
 use crate::dense_output::DenseOutput;
 use crate::switches::{Passed, Path, greatest, overlooked, possible_passages};
@@ -74,7 +74,8 @@ impl<T: Lanes> Flying<'_, T> {
                 prepared: &self.values.prepared,
             };
             let to = &mut self.watch.points[k];
-            self.rhs.call(Call::Switches(&point), &mut self.scratch, to);
+            self.rhs
+                .call(Function::Switches, &point, &mut self.scratch, to);
         }
         self.watch.knows_start = true;
         let mut possible = [0; MAX_LANES];
@@ -164,7 +165,7 @@ impl<T: Lanes> Passed for InLane<'_, T> {
             prepared: &self.values.prepared,
         };
         self.rhs
-            .call(Call::Switches(&point), self.scratch, self.within);
+            .call(Function::Switches, &point, self.scratch, self.within);
         for (to, value) in to.iter_mut().zip(&*self.within) {
             *to = value.lane(self.lane);
         }
@@ -189,7 +190,7 @@ impl<T: Lanes> Passed for InLane<'_, T> {
             prepared: &self.values.prepared,
         };
         self.rhs
-            .call(Call::Derivative(&point), self.scratch, self.rates);
+            .call(Function::Derivative, &point, self.scratch, self.rates);
         *self.evaluations += 1;
         let rates = self.rates.iter().zip(&self.scales).enumerate();
         let each = rates.map(|(i, (rate, scale))| {

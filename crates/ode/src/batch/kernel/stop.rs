@@ -6,7 +6,7 @@
 use super::{EndState, Flying};
 use crate::batch::control::MAX_LANES;
 use crate::batch::events::HeightStep;
-use crate::batch::functions::Call;
+use crate::batch::functions::Function;
 use crate::batch::{FlightOutcome, FlightQueue, LanePoint};
 use crate::dense_output::DenseOutput;
 use crate::event::{REACH, falling_zeros};
@@ -177,7 +177,7 @@ impl<T: Lanes> Flying<'_, T> {
                 prepared: &self.values.prepared,
             };
             self.rhs
-                .call(Call::Limits(&point), &mut self.scratch, margins);
+                .call(Function::Limits, &point, &mut self.scratch, margins);
             margins[limit].lane(lane)
         };
         self.found.clear();
