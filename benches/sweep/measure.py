@@ -172,20 +172,18 @@ None of them seeks the greatest height. Errors are of each state's magnitude or 
 
 `hyzer sweep` as a whole (the built-in plan with 60,000 flights: draws, throws, flights, Parquet, summary), best of two:
 {rates[1]:.0f} flights a second on one thread, {rates[threads]:.0f} on {threads}: {share:.2f} of each thread (bar 0.9: {'holds' if share >= 0.9 else '**missed**'}).
-The machine was shared with other work, at a load of {load:.1f} before these runs. Of the processor's time alone: {processor[1]:.0f} flights
-a second on one thread, {processor[threads]:.0f} on each of {threads}, {processor[threads] / processor[1]:.2f} of it.
+Of the processor's time alone: {processor[1]:.0f} flights a second on one thread, {processor[threads]:.0f} on each of {threads}; load before: {load:.1f}.
 
 ## Compilers at run time
 
-heyoka.py {compiled['versions']['heyoka.py']} and symjit {compiled['versions']['symjit']} compile the disc of `benches/peers/disc.py` at run time and run in turn with our lanes in another process, for
-the same rounds on one thread. 1000 states at once, each with parameters of its own: ns of the processor's time a state, and in brackets its ratio
-to ours. Of each, the fastest of its ways that agrees; both differentiate by themselves or by SymPy, without a chain rule by hand.
+heyoka.py {compiled['versions']['heyoka.py']} and symjit {compiled['versions']['symjit']} compile the disc of `benches/peers/disc.py`, in turn with our lanes on one thread. 1000 states at once, each
+with its own parameters: ns of processor time a state, in brackets its ratio to ours; of each the fastest way that agrees, without a chain rule by hand.
 
 | | f | f+J+Jp | way for f+J+Jp | worst difference from ours |
 |---|---:|---:|---|---:|
 {table('states')}
 
-The backhand to the landing; errors against heyoka.py at 1e-15. Our flights scatter and end apart, heyoka.py's of a batch are the same flight.
+The backhand to the landing; errors against heyoka.py at 1e-15. Our flights scatter, heyoka.py's of a batch are equal.
 
 | | time of a flight | error at the landing |
 |---|---:|---:|
@@ -206,9 +204,8 @@ The forces see the attitude as it turns, so that a factor of the rates alone lea
 rates across its axis nutates all the same, driven by its pitching moment. The whole Jacobian saves a part of the steps, at the price of exponentials
 of a 12 × 12 matrix for each stage, several products of 1,728 multiplications each, where an evaluation has 108 operations.
 The Lie-group method halves the steps at the same tolerance, but its errors are larger there: what it leaves is the forces, which turn with the axis
-all the same. At equal error, a tolerance ten times tighter, it saves about a third of DOP853's evaluations, each of which costs about that much more
-(an exponential and its inverse derivative beside the 108 operations), and it holds for bodies of revolution alone. What pays for any model is
-order: DOP853 beside Tsit5, in both tables.
+all the same. At equal error, a tolerance ten times tighter, it saves a third of DOP853's evaluations, each of which costs that much more, and it
+holds for bodies of revolution alone. What pays for any model is order: DOP853 beside Tsit5.
 """
     pathlib.Path(asked.out).write_text(text)
     print(text)
