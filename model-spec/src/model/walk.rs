@@ -3,7 +3,7 @@
 use super::{Expr, ExprKind, FrameKind, Model, Shape, ValidityLimit};
 use crate::location::Span;
 use crate::syntax::ast::ItemKind;
-use crate::syntax::of_kind;
+use crate::syntax::{of_kind, preorder};
 use crate::unit::Unit;
 
 /// Function body of [`Expr::children`] and [`Expr::children_mut`].
@@ -91,12 +91,7 @@ macro_rules! collect_expressions {
 impl Expr {
     /// Iterates over the expression and all its subexpressions, each before its own subexpressions.
     pub fn nodes(&self) -> impl Iterator<Item = &Expr> {
-        let mut open = vec![self];
-        std::iter::from_fn(move || {
-            let next = open.pop()?;
-            open.extend(next.children().into_iter().rev());
-            Some(next)
-        })
+        preorder(self, Expr::children)
     }
 
     /// Direct subexpressions, from left to right.

@@ -24,7 +24,7 @@ mod walk;
 pub mod words;
 
 pub(crate) use body_parts::{Parts, lacking, stated_twice};
-pub(crate) use walk::of_kind;
+pub(crate) use walk::{of_kind, preorder};
 
 pub(crate) use expr::MAX_HEIGHT;
 use function::{MAX_ELEMENTS, element_name};

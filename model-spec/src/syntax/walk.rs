@@ -106,6 +106,19 @@ impl File {
     }
 }
 
+/// Iterates over the nodes of a tree, each before its children, without recursion.
+pub(crate) fn preorder<'a, T>(
+    root: &'a T,
+    children: impl Fn(&'a T) -> Vec<&'a T>,
+) -> impl Iterator<Item = &'a T> {
+    let mut open = vec![root];
+    std::iter::from_fn(move || {
+        let next = open.pop()?;
+        open.extend(children(next).into_iter().rev());
+        Some(next)
+    })
+}
+
 /// Function body of [`Expr::children`] and [`Expr::children_mut`], which differ only in the kind of reference.
 macro_rules! children {
     ($kind:expr, $iter:ident) => {
@@ -127,12 +140,7 @@ macro_rules! children {
 impl Expr {
     /// Iterates over the expression and all its subexpressions, each before its own subexpressions.
     pub fn nodes(&self) -> impl Iterator<Item = &Expr> {
-        let mut open = vec![self];
-        std::iter::from_fn(move || {
-            let next = open.pop()?;
-            open.extend(next.children().into_iter().rev());
-            Some(next)
-        })
+        preorder(self, Expr::children)
     }
 
     /// Direct subexpressions, from left to right.

@@ -4,8 +4,8 @@ use super::names::Names;
 use super::{Mutation, Operator};
 use model_spec::diagnostic::Span;
 use model_spec::syntax::ast::{
-    Body, BodyPart, BodyPartKind, Expr, Frame, FrameKind, Interpolation, Item, ItemKind, Load,
-    LoadClass, Name, Table, UnitExpr, UnitFactor,
+    Body, BodyPart, BodyPartKind, Expr, Frame, FrameKind, Input, Interpolation, Item, ItemKind,
+    Load, LoadClass, Marker, Name, Table, UnitExpr, UnitFactor,
 };
 
 /// Mutations of a statement but not of its expressions; `None` deletes it. `angles` may replace a frame's angle.
@@ -28,25 +28,15 @@ pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Opti
             }
         }
         ItemKind::Input(i) => {
-            for other in names.other_frames(&i.frame.text) {
-                let mut i = i.clone();
-                i.frame.text.clone_from(other);
-                push(
-                    Operator::Frame,
-                    format!("in {other}"),
-                    Some(ItemKind::Input(i)),
-                );
+            for (how, frame) in other_frames(&i.frame, names) {
+                let to = Input { frame, ..i.clone() };
+                push(Operator::Frame, how, Some(ItemKind::Input(to)));
             }
         }
         ItemKind::Marker(m) => {
-            for other in names.other_frames(&m.frame.text) {
-                let mut m = m.clone();
-                m.frame.text.clone_from(other);
-                push(
-                    Operator::Frame,
-                    format!("in {other}"),
-                    Some(ItemKind::Marker(m)),
-                );
+            for (how, frame) in other_frames(&m.frame, names) {
+                let to = Marker { frame, ..m.clone() };
+                push(Operator::Frame, how, Some(ItemKind::Marker(to)));
             }
         }
         ItemKind::Table(t) => table(t, &mut push),
@@ -69,6 +59,12 @@ pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Opti
         _ => {}
     }
     out
+}
+
+/// Other frames in the place of that of components, each with the words for it.
+fn other_frames<'a>(frame: &'a Name, names: &'a Names) -> impl Iterator<Item = (String, Name)> {
+    let others = names.other_frames(&frame.text);
+    others.map(|other| (format!("in {other}"), Name::new(other, frame.span)))
 }
 
 /// Mutations of a table: a value of each knot, and another interpolation.
