@@ -167,7 +167,7 @@ pub enum FlightError {
         /// Median of the robust standard deviations of the other flights' residuals, m.
         usual: f64,
     },
-    /// The deadline of the fit passed before the flight was processed.
+    /// The deadline of the fit passed, or the fit was cancelled, before the flight was processed.
     #[error("the time limit was reached before it was looked at")]
     Deadline,
 }

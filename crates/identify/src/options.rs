@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use flight::parallel;
 
-use crate::error::{DataFault, FitError};
+use crate::error::{DataFault, FitError, FlightError};
 
 /// Options of a fit. By default, every coefficient is estimated within its bounds, on all processors.
 #[derive(Clone, Copy, Debug, Default)]
@@ -152,6 +152,11 @@ impl FitOptions<'_> {
             true => Err(FitError::Interrupted),
             false => Ok(()),
         }
+    }
+
+    /// Nothing, or an error in place of the work on a flight if the fit was cancelled.
+    pub(crate) fn check_flight(&self) -> Result<(), FlightError> {
+        self.check_cancelled().map_err(|_| FlightError::Deadline)
     }
 
     /// Number of threads to use: the given number, or the number of processors if none is given; 0 is replaced by 1.

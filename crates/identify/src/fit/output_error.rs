@@ -52,15 +52,16 @@ impl<'a> OutputError<'a> {
 }
 
 impl OutputError<'_> {
-    /// The used samples of a flight at `unknowns`, or at the fixed global parameters.
+    /// The used samples of a flight at `unknowns`, or at the fixed global parameters; an error if the fit is cancelled.
     fn at<'f>(
         &'f self,
         flight: usize,
         (global, local): (&'f DVector<f64>, &'f DVector<f64>),
-    ) -> FlightAt<'f> {
+    ) -> Result<FlightAt<'f>, FlightError> {
+        self.options.check_flight()?;
         let unknowns = (self.fixed_global.unwrap_or(global), local);
         let at = FlightAt::new(self.problem, self.flights[flight], unknowns);
-        at.first(self.samples[flight])
+        Ok(at.first(self.samples[flight]))
     }
 }
 
@@ -76,7 +77,7 @@ impl LeastSquaresProblem for OutputError<'_> {
         by: Unknowns,
     ) -> Result<NormalBlock, FlightError> {
         let by = self.fixed_global.map_or(by, |_| Unknowns::Local);
-        let block = self.at(flight, unknowns).linearise(by, self.loss);
+        let block = self.at(flight, unknowns)?.linearise(by, self.loss);
         if by == Unknowns::All {
             self.options.flight_done();
         }
@@ -88,7 +89,7 @@ impl LeastSquaresProblem for OutputError<'_> {
         flight: usize,
         unknowns: (&DVector<f64>, &DVector<f64>),
     ) -> Result<f64, FlightError> {
-        self.at(flight, unknowns).squares(self.loss)
+        self.at(flight, unknowns)?.squares(self.loss)
     }
 
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {

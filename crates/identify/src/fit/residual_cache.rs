@@ -68,7 +68,8 @@ impl ResidualCache {
         let (threads, count) = (state.options.threads(), state.flights.len());
         Self(parallel::each_on(threads, count, |flight| {
             let at = state.at(flight).first(samples[flight]);
-            let path = at.states().and_then(|states| {
+            let states = state.options.check_flight().and_then(|()| at.states());
+            let path = states.and_then(|states| {
                 Ok(Path {
                     residuals: at.residuals_along(&states)?,
                     states,

@@ -4,6 +4,7 @@ mod added_states;
 mod alone;
 mod arrival;
 mod bootstrap;
+mod cancelled;
 mod constrained;
 mod known_and_markers;
 mod marker_noise;
