@@ -6,7 +6,9 @@
 
 mod body_template;
 mod c3d;
+pub mod contact;
 mod even_times;
+mod fault;
 mod fields;
 mod file;
 mod header;
@@ -14,13 +16,17 @@ mod in_memory;
 mod input_error;
 mod inputs;
 mod launch_monitor;
+pub mod levels;
 mod lines;
 mod manifest;
 mod manifest_sensors;
 mod names;
 pub mod pose;
+mod pose_points;
 mod recording;
 mod samples;
+pub mod screening;
+mod seen_path;
 mod sensor;
 mod stated;
 pub mod statistics;
@@ -42,11 +48,14 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 pub use body_template::BodyTemplate;
+pub use fault::{DataFault, FaultKind};
 use flight::{InputInterpolation, InputSeries, parallel};
 pub use in_memory::from_texts;
 pub use input_error::InputError;
 pub use launch_monitor::{ImportedShots, ShotOptions, import_shots, read_shots, table_rows};
+pub use pose_points::PosePoints;
 pub use recording::{ACCELERATIONS, ANGULAR_RATES, SPEEDS};
+pub use seen_path::{Seen, path_noise, seen_path};
 pub use sensor::{
     Reading, Sensor, SensorKind, attitude, points_on_body, points_seen, spin_axis, turned,
 };

@@ -25,6 +25,34 @@ impl Pose {
     }
 }
 
+/// Rigid-body motion at one instant, in inertial components.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RigidMotion {
+    /// Position of the body's origin in the inertial frame, m.
+    pub position: Vector3<f64>,
+    /// Velocity of the body's origin in inertial components, m/s.
+    pub velocity: Vector3<f64>,
+    /// Attitude: rotation from body components to inertial components; `None` for a point mass.
+    pub attitude: Option<UnitQuaternion<f64>>,
+    /// Angular velocity in inertial components, rad/s; `None` for a point mass.
+    pub rates: Option<Vector3<f64>>,
+}
+
+impl RigidMotion {
+    /// The motion with `turns` more turns per interval about its axis; `whole` is the rate of one, rad/s.
+    pub fn with_turns(&self, turns: i32, whole: f64) -> RigidMotion {
+        let rates = self.rates.map(|rates| {
+            let axis = rates.try_normalize(1e-9).unwrap_or_else(Vector3::z);
+            if turns == 0 {
+                rates
+            } else {
+                rates + axis * (f64::from(turns) * whole)
+            }
+        });
+        RigidMotion { rates, ..*self }
+    }
+}
+
 /// Ratio of the markers' spread normal to the best-fit line to their total spread, below which they are collinear.
 const COLLINEAR: f64 = 0.005;
 

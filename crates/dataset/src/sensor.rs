@@ -126,6 +126,15 @@ pub(super) fn channels(
         .flat_map(move |sensor| of(sensor).map(move |endings| (sensor, *endings)))
 }
 
+/// The sensors, each with its first channel.
+pub(super) fn with_channels(sensors: &[Sensor]) -> impl Iterator<Item = (&Sensor, usize)> {
+    sensors.iter().scan(0, |next, sensor| {
+        let channel = *next;
+        *next += sensor.kind.channels().len();
+        Some((sensor, channel))
+    })
+}
+
 /// Rotation from body to inertial components for a reading of the attitude, a quaternion, scalar part first.
 pub fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))

@@ -1,10 +1,11 @@
 //! Discrimination (T-optimal) design: the throw that would best distinguish the accepted hypotheses.
 
+use dataset::pose::RigidMotion;
 use flight::parallel;
 use flight::throw::{Motion, RPM, Throw, release_axes};
 use identify::{
-    FitProblem, FlightAt, Iterate, Loss, NoiseModel, NormalBlock, Observations, RigidMotion,
-    Unknowns, eliminate, pseudo_inverse, state_for_motion,
+    FitProblem, FlightAt, Iterate, Loss, NoiseModel, NormalBlock, Observations, Unknowns,
+    eliminate, pseudo_inverse, state_for_motion,
 };
 use model_spec::model::FlightAxes;
 use nalgebra::{DMatrix, DVector, Rotation3, UnitQuaternion};
@@ -90,7 +91,7 @@ fn simulated(
     let points = samples * problem.channels.len();
     let mut parameters = like.parameters.clone();
     if let (false, Some(components)) = (
-        problem.has_attitude,
+        problem.points.has_attitude,
         problem.body.layout().components(ANGULAR_VELOCITY),
     ) {
         let spin = rigid_motion(throw, true, FlightAxes::default()).rates?;
@@ -111,7 +112,7 @@ fn simulated(
     };
     let axes = problem.model.flight_axes();
     let axes = axes.map_or_else(FlightAxes::default, |(_, axes)| axes);
-    let motion = rigid_motion(throw, problem.has_attitude, axes);
+    let motion = rigid_motion(throw, problem.points.has_attitude, axes);
     let local = state_for_motion(problem, &observations, &motion).ok()?;
     let at = FlightAt::new(problem, &observations, (&at.global, &local));
     at.linearise(Unknowns::All, Loss::Whitened(noise)).ok()

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use dataset::levels::ROUNDING;
 use dataset::statistics::median_of;
 use dataset::{Dataset, Flight};
 use flight::{InputSeries, InputsOverTime};
@@ -17,9 +18,6 @@ const OUTLASTING: f64 = 0.5;
 
 /// Gap between two samples of an input, in median intervals, from which the report notes that it is bridged.
 const NOTED_GAP: f64 = 3.5;
-
-/// Share of the bounds of an input by which a value may exceed them.
-const BOUND_ROUNDING: f64 = 1e-9;
 
 /// Share of the range of an input by which values between its samples may exceed its bounds without a note.
 const NOTED_OVERSHOOT: f64 = 1e-3;
@@ -154,7 +152,7 @@ fn overshoot(series: &InputSeries, (least, greatest): (f64, f64)) -> Option<(f64
 
 /// First sample (time in s, value) of an input that is not within `bounds`, but for the rounding of units.
 fn outside(series: &InputSeries, (least, greatest): (f64, f64)) -> Option<(f64, f64)> {
-    let slack = BOUND_ROUNDING * (least.abs().max(greatest.abs()));
+    let slack = ROUNDING * (least.abs().max(greatest.abs()));
     let within = least - slack..=greatest + slack;
     series.samples().find(|(_, value)| !within.contains(value))
 }

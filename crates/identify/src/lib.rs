@@ -8,14 +8,11 @@ mod channel;
 mod contact_time;
 mod error;
 mod fit;
-mod fixed_axis;
-mod ground_contact;
 mod ids;
 mod initial_state;
 mod inputs;
 mod lack_of_fit;
 mod least_squares;
-mod levels;
 mod noise;
 mod noise_floor;
 pub mod numbers;
@@ -28,7 +25,6 @@ mod problem;
 mod report;
 mod rounding;
 mod screening;
-mod seen_path;
 mod state_manifold;
 mod summary;
 mod summary_value;
@@ -57,7 +53,7 @@ pub use vertical::{ANGLES as VERTICAL_ANGLES, upward};
 
 // The estimation problem, and predictions with their derivatives.
 pub use channel::{Channel, ChannelKind, MARKER};
-pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
+pub use initial_state::{InitialGuess, initial_guesses, state_for_motion};
 pub use noise::{AxesNoise, Moments, NoiseModel, group_count};
 pub use observations::{Observations, Truncation};
 pub use predict::{FlightAt, Loss, PointResidual, Residuals};
@@ -67,7 +63,7 @@ pub use summary::SummaryModel;
 pub use summary_value::SummaryValue;
 
 // Mistakes in the data.
-pub use error::{DataFault, FaultKind};
+pub use dataset::{DataFault, FaultKind};
 
 // Least squares over many flights.
 pub use least_squares::{

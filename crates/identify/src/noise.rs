@@ -2,7 +2,7 @@
 
 use std::ops::{Deref, DerefMut};
 
-use crate::levels::MIN_SERIES;
+use dataset::levels::MIN_SERIES;
 
 /// Least standard deviation of noise, m or the unit of a sensor: exact residuals, as of motion in a plane of the axes, keep
 /// a finite weight.

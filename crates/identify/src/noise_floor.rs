@@ -8,11 +8,11 @@
 
 use nalgebra::{Matrix4, Vector3, Vector4};
 
-use crate::levels::{MAX_GAP, NEIGHBOURS as SIDE, OUTLIER_VARIANCE};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use crate::seen_path::seen_path;
+use dataset::levels::{MAX_GAP, NEIGHBOURS as SIDE, OUTLIER_VARIANCE};
 use dataset::pose::Pose;
+use dataset::seen_path;
 use dataset::statistics::{median_of, median_vector, robust_sigma};
 
 /// Maximum and minimum number of samples of one flight that are compared; longer flights are subsampled.
@@ -68,7 +68,9 @@ fn track(
     let usual = median_of(poses.iter().flatten().map(Pose::variance));
     let limit = OUTLIER_VARIANCE * usual.unwrap_or(0.0);
     let points = |sample: usize| observations.points(sample);
-    let seen = seen_path(problem, &observations.times, points, |k| *poses.get(k)?);
+    let seen = seen_path(&problem.points, &observations.times, points, |k| {
+        *poses.get(k)?
+    });
     let rigid = seen.filter(|own| own.variance() <= limit);
     let each = rigid.map(|own| TrackPoint {
         time: own.time,
@@ -132,34 +134,6 @@ impl Interpolation {
     }
 }
 
-// Noise of a measured path, estimated from the distances of its points from smooth curves through their neighbours.
-
-/// Maximum time span of four successive points relative to the median; the path may curve in a gap.
-const MAX_SPAN_RATIO: f64 = 1.6;
-
-/// Robust standard deviation of one coordinate about a smooth path of points (time in s, position in m), in m, by third
-/// divided differences; 0 for fewer than four points.
-pub fn path_noise(path: impl Iterator<Item = (f64, Vector3<f64>)>) -> f64 {
-    let path: Vec<(f64, Vector3<f64>)> = path.collect();
-    let span = |four: &[(f64, Vector3<f64>)]| four[3].0 - four[0].0;
-    let longest = MAX_SPAN_RATIO * median_of(path.windows(4).map(span)).unwrap_or(0.0);
-    let fours = path.windows(4).filter(|four| span(four) <= longest);
-    let mut rough: Vec<f64> = fours
-        .flat_map(|four| {
-            // Third divided difference over its standard deviation for noise of standard deviation 1.
-            let weight = |i: usize| -> f64 {
-                let others = (0..4).filter(|j| *j != i);
-                1.0 / others.map(|j| four[i].0 - four[j].0).product::<f64>()
-            };
-            let weights = [weight(0), weight(1), weight(2), weight(3)];
-            let size = weights.iter().map(|w| w * w).sum::<f64>().sqrt();
-            let sum: Vector3<f64> = four.iter().zip(weights).map(|((_, p), w)| p * w).sum();
-            <[f64; 3]>::from((sum / size).abs())
-        })
-        .collect();
-    robust_sigma(&mut rough)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -221,23 +195,5 @@ mod tests {
             sigma.iter().all(|sigma| (0.0008..0.0019).contains(sigma)),
             "{sigma:?}"
         );
-    }
-
-    #[test]
-    fn gaps_and_curves_are_no_noise() {
-        let at = |i: usize| (i as f64 * 0.01, i);
-        let kept = (0..100).filter(|i| i % 5 != 2 && i % 7 != 3).map(at);
-        let path = |noise: f64| {
-            kept.clone().map(move |(t, i)| {
-                let sign = if (i * i) % 3 == 0 { 1.0 } else { -1.0 };
-                (
-                    t,
-                    Vector3::new(5.0 * t, noise * sign, 3.0 * t - 30.0 * t * t),
-                )
-            })
-        };
-        assert!(path_noise(path(0.0)) < 1e-9);
-        let noise = path_noise(path(0.003).map(|(t, p)| (t, Vector3::repeat(p.y))));
-        assert!((0.001..0.006).contains(&noise), "{noise}");
     }
 }

@@ -10,13 +10,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::channel::ChannelKind;
 use crate::error::FlightError;
-use crate::fixed_axis::point_along;
 use crate::inputs;
 use crate::problem::{FitProblem, RESIDUAL_TOLERANCE, StatePrior};
 use crate::state_manifold::StateManifold;
 use dataset::pose::{Pose, pose};
 use dataset::statistics::median_of;
-use dataset::{Flight, Role, attitude, points_seen};
+use dataset::{Flight, Role, attitude};
 
 /// Truncation of a flight before the end of its table, such as at a ground contact.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -49,7 +48,7 @@ pub struct Observations {
     pub is_summary: bool,
     /// Number of channels; marker channels come first.
     pub channels: usize,
-    /// Number of points from which the pose is determined, as in [`FitProblem::markers`].
+    /// Number of points from which the pose is determined, as in [`PosePoints`](dataset::PosePoints).
     pub markers: usize,
     /// `stand_ins[sample * markers + point]`, m: the markers, followed by body-fixed points whose positions are
     /// computed from the pose that a sensor measures or from the markers. Empty if all points are markers.
@@ -103,7 +102,7 @@ impl Observations {
         }
         let is_summary = problem.assume(flight, &mut measured, &mut known);
         let known_states: Vec<StateId> = known.states.iter().map(|(state, _)| *state).collect();
-        let stand_ins: Vec<_> = match pose_points(problem, flight) {
+        let stand_ins: Vec<_> = match problem.points.of(flight) {
             Cow::Borrowed(_) => Vec::new(),
             Cow::Owned(rows) => rows[first..=last].concat(),
         };
@@ -122,7 +121,7 @@ impl Observations {
             measured,
             is_summary,
             channels,
-            markers: problem.markers.len(),
+            markers: problem.points.markers.len(),
             stand_ins,
             manifold: StateManifold::new(&problem.model, &known_states)
                 .held_by(&problem.body, &parameters),
@@ -158,7 +157,7 @@ impl Observations {
         Some(observations)
     }
 
-    /// Measured positions of the points of the pose in one sample, in the order of [`FitProblem::markers`], m; outliers
+    /// Measured positions of the points of the pose in one sample, in the order of [`PosePoints`](dataset::PosePoints), m; outliers
     /// are included.
     pub fn points(&self, sample: usize) -> &[Option<[f64; 3]>] {
         match self.stand_ins.is_empty() {
@@ -169,8 +168,8 @@ impl Observations {
 
     /// Pose in each sample, `None` where the points do not determine it; empty for a point mass.
     pub(crate) fn poses(&self, problem: &FitProblem) -> Vec<Option<Pose>> {
-        let samples = 0..self.times.len() * usize::from(problem.has_attitude);
-        let each = samples.map(|sample| pose(&problem.markers, self.points(sample)));
+        let samples = 0..self.times.len() * usize::from(problem.points.has_attitude);
+        let each = samples.map(|sample| pose(&problem.points.markers, self.points(sample)));
         each.collect()
     }
 
@@ -374,45 +373,6 @@ fn row<'f>(
             _ => [reading[0], reading[1], reading[2]],
         })
     }))
-}
-
-/// Positions of the points of the pose in each sample of a flight, m, in the order of [`FitProblem::markers`]: those of
-/// the markers, if these determine it.
-pub fn pose_points<'f>(
-    problem: &FitProblem,
-    flight: &'f Flight,
-) -> Cow<'f, [Vec<Option<[f64; 3]>>]> {
-    if problem.is_shown_by_markers() {
-        return Cow::Borrowed(&flight.positions);
-    }
-    let samples = 0..flight.times.len();
-    Cow::Owned(
-        samples
-            .map(|sample| stand_ins(problem, flight, sample).collect())
-            .collect(),
-    )
-}
-
-/// Positions of the points of the pose in one sample, m: the markers, and points whose positions follow from the
-/// reading of each pose sensor.
-fn stand_ins(
-    problem: &FitProblem,
-    flight: &Flight,
-    sample: usize,
-) -> impl Iterator<Item = Option<[f64; 3]>> {
-    let markers = flight.positions[sample].iter().copied();
-    let first = flight.positions[sample].len();
-    let channels = problem.channels[first..].iter();
-    let poses = channels
-        .enumerate()
-        .filter(|(_, channel)| channel.kind == ChannelKind::Position);
-    let readings = flight.readings.get(sample);
-    let seen = poses.filter_map(move |(index, _)| Some(points_seen(readings?.get(index..)?)));
-    let mut seen: Vec<_> = markers.chain(seen.flatten()).collect();
-    if let Some(axis) = problem.added_along {
-        seen.push(point_along(axis, &seen));
-    }
-    seen.into_iter()
 }
 
 /// Median over flights of their sampling intervals, s; 1 if no flight has two samples.

@@ -6,7 +6,8 @@ use std::time::Instant;
 
 use flight::parallel;
 
-use crate::error::{DataFault, FitError, FlightError};
+use crate::error::{FitError, FlightError};
+use dataset::DataFault;
 
 /// Options of a fit. By default, every coefficient is estimated within its bounds, on all processors.
 #[derive(Clone, Copy, Debug, Default)]

@@ -5,10 +5,10 @@ use std::ops::Range;
 
 use flight::parallel;
 
-use crate::levels::NEIGHBOURS as SIDE;
 use crate::noise::{NoiseModel, OUTLIER_LIMIT, group_count};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
+use dataset::levels::NEIGHBOURS as SIDE;
 use dataset::statistics::{median, median_of, robust_sigma};
 
 /// Minimum number of measured values of a channel for outlier detection.

@@ -14,13 +14,12 @@ use nalgebra::DVector;
 
 use crate::channel::{self, Channel, ChannelKind};
 use crate::error::{FitError, FlightError, NameSource};
-use crate::fixed_axis::{add_point, fixed_axis};
-use crate::levels::FAR_ABOVE;
 use crate::options::FitOptions;
 use crate::rounding;
 use crate::summary::{self, SummaryModel};
-use dataset::pose;
-use dataset::{AXES, Dataset, Flight, KnownValue, SensorKind, points_on_body};
+use dataset::levels::FAR_ABOVE;
+use dataset::pose::fix_attitude;
+use dataset::{AXES, Dataset, Flight, KnownValue, PosePoints};
 pub use global_parameters::GlobalParameter;
 pub use tolerances::{FINE_TOLERANCE, RESIDUAL_TOLERANCE, robust_tolerance, whitened_tolerance};
 
@@ -34,20 +33,14 @@ pub struct FitProblem {
     pub model: Arc<Model>,
     /// The compiled model, with its equations of motion and the measurement equation of a body-fixed point.
     pub body: Arc<CompiledModel>,
-    /// Points of the pose in the frame in which markers are fixed, m: the markers; if they do not determine the
-    /// attitude, also body-fixed points whose positions are computed from the pose that a sensor measures, or, for a body
-    /// that turns about one fixed axis, a point on the line through their centre along that axis.
-    pub markers: Vec<[f64; 3]>,
-    /// Number of the fixed axis, from 0, along which a point is added to the markers.
-    pub added_along: Option<usize>,
+    /// Points of the body that show its pose.
+    pub points: PosePoints,
     /// Measurement channels: the markers, then the channels of the sensors. Each channel has its own residuals.
     pub channels: Vec<Channel>,
     /// For each kind of instrument, the compiled model that observes the quantity it measures.
     pub instruments: Vec<(Instrument, Arc<CompiledModel>)>,
     /// Functions of the model for summaries; `None` if the dataset has none.
     pub summary: Option<Arc<SummaryModel>>,
-    /// Whether the body of the model has an attitude; `false` for a point mass.
-    pub has_attitude: bool,
     /// Values of all parameters in the order of the compiled model, SI, but for those known for single flights.
     pub parameters: Vec<f64>,
     /// Global parameters, which are estimated from all flights together.
@@ -144,10 +137,8 @@ impl FitProblem {
     ) -> Result<Self, FitError> {
         let layout = Layout::new(model);
         let mut parameters = known_constants(model, &layout, dataset)?;
-        let mut markers: Vec<[f64; 3]> = dataset.markers.iter().map(|m| m.position).collect();
-        // Markers of a point mass are fixed in the inertial frame, which is frame 0.
-        let marker = model.marker.as_ref();
-        let has_attitude = marker.is_some_and(|marker| marker.frame != 0);
+        let points = PosePoints::new(model, dataset);
+        let has_attitude = points.has_attitude;
         if model.observation.is_none() {
             let model = model.name.clone();
             return Err(FitError::NoObservation { model });
@@ -159,16 +150,7 @@ impl FitProblem {
             .iter()
             .all(|own| summary::event(own.kind).is_some());
         let summary = summary::of_channels(model, dataset, &mut channels)?;
-        if has_attitude && !pose::fix_attitude(&markers) {
-            let poses = dataset.sensors.iter();
-            let poses = poses.filter(|sensor| sensor.kind == SensorKind::Pose);
-            markers.extend(poses.flat_map(|sensor| points_on_body(sensor.position)));
-        }
-        let sees_markers_alone = channels.iter().all(Channel::is_marker);
-        let added_along = fixed_axis(model)
-            .filter(|_| sees_markers_alone && !pose::fix_attitude(&markers))
-            .filter(|&axis| add_point(axis, &mut markers));
-        let is_seen_by_instruments = markers.is_empty() && !instruments.is_empty();
+        let is_seen_by_instruments = points.markers.is_empty() && !instruments.is_empty();
         if !has_attitude
             && let Some(pose) = channels.iter().find(|c| c.kind == ChannelKind::Attitude)
         {
@@ -178,7 +160,7 @@ impl FitProblem {
             });
         }
         let is_seen = is_seen_by_instruments || is_summary;
-        if has_attitude && !is_seen && !pose::fix_attitude(&markers) {
+        if has_attitude && !is_seen && !fix_attitude(&points.markers) {
             return Err(FitError::AttitudeNotObservable {
                 model: model.name.clone(),
                 markers: dataset.markers.len(),
@@ -197,12 +179,10 @@ impl FitProblem {
         let problem = Self {
             model: Arc::new(model.clone()),
             body: Arc::new(body),
-            markers,
-            added_along,
+            points,
             channels,
             instruments,
             summary,
-            has_attitude,
             parameters,
             globals,
             fixed,
@@ -228,12 +208,6 @@ impl FitProblem {
 
     pub(crate) fn sees_markers_alone(&self) -> bool {
         self.channels.iter().all(Channel::is_marker)
-    }
-
-    /// Whether markers alone determine the pose.
-    pub(crate) fn is_shown_by_markers(&self) -> bool {
-        let markers = self.channels.iter().filter(|channel| channel.is_marker());
-        markers.count() == self.markers.len()
     }
 
     /// Initial values of the global parameters, SI, in the order of [`globals`](Self::globals).

@@ -2,9 +2,9 @@
 //! rounded readings stay the same, their scatter shows no noise, and they are wrong by up to half a step nevertheless.
 
 use crate::channel::{Channel, ChannelKind};
-use crate::levels::MIN_SERIES;
 use crate::noise::NoiseModel;
 use dataset::Dataset;
+use dataset::levels::MIN_SERIES;
 
 /// Remainder of an exact division, in units of the largest value: printed numbers have seven digits or more, and the
 /// remainders of a division add the errors of ten.

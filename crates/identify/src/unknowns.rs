@@ -10,11 +10,11 @@ use model_spec::model::Model;
 use crate::error::FitError;
 use crate::fit::{self, Fit};
 use crate::inputs;
-use crate::levels::AT_NOISE;
 use crate::options::{FitOptions, Prior};
 use crate::problem::measured;
 use crate::vertical;
 use crate::vertical::{ANGLES, EFFECT, angles};
+use dataset::levels::AT_NOISE;
 use dataset::{Dataset, KnownValue, Role, Sensor, SensorKind};
 
 /// Effect that displaces all markers together on the body: its name and the names of its coefficients, m.

@@ -6,8 +6,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::trajectory::{Point, Trajectory};
 use crate::least_squares::{NormalBlock, ScaledCholesky};
-use crate::levels::ROUNDING;
 use crate::noise::NoiseModel;
+use dataset::levels::ROUNDING;
 
 /// Maximum number of samples after a possible contact with the ground or an object that are used to test for it.
 const MAX_SAMPLES_AFTER: usize = 40;

@@ -10,10 +10,10 @@ use super::FitError;
 use super::reweighting::{Reweighted, reweight};
 use super::state::State;
 use crate::least_squares::{NormalBlock, ScaledCholesky};
-use crate::levels::AT_NOISE;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::FlightAt;
+use dataset::levels::AT_NOISE;
 
 /// Maximum number of samples of a run at an end of a flight; the cuts of an import are within as many.
 const MAX_RUN: usize = 6;

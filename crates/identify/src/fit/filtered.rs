@@ -7,8 +7,8 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::marker_distances::{all_apart, marker_count};
 use super::state::State;
-use crate::levels::{RANK, SIGNIFICANT};
 use crate::observations::Observations;
+use dataset::levels::{RANK, SIGNIFICANT};
 use dataset::statistics::{median, robust_sigma};
 
 /// Partial autocorrelation of the noise at two samples below which it was filtered. Noise of first order has none;

@@ -10,10 +10,8 @@ use super::post_fit::{channel_sums, square_sums};
 use super::summaries::initial_state;
 use super::{FittedFlight, FlightResult, left_out};
 use crate::error::FlightError;
-use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::least_squares::{Solution, StoppingCriteria, eliminate};
-use crate::levels::MIN_POPULATION;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::outliers;
@@ -21,6 +19,8 @@ use crate::predict::{FlightAt, Loss, Residuals};
 use crate::problem::{FitProblem, StatePrior};
 use crate::report::{FlightOutcome, FlightReport};
 use crate::summary;
+use dataset::contact::ContactSearch;
+use dataset::levels::MIN_POPULATION;
 use dataset::{Dataset, Flight, SummaryEvent};
 
 /// Fraction of the samples of a held-out flight to which its initial state is fitted; the rest is predicted.

@@ -6,9 +6,9 @@ use super::output_error::{MAX_SCALES, OutputError};
 use super::residual_cache::{ResidualCache, solve_flights};
 use super::state::State;
 use crate::least_squares::{Constraint, StoppingCriteria, solve};
-use crate::levels::{AT_NOISE, CLEARLY_SMALLER, ROUGHLY_NOISE};
 use crate::predict::Loss;
 use crate::problem::FitProblem;
+use dataset::levels::{AT_NOISE, CLEARLY_SMALLER, ROUGHLY_NOISE};
 
 /// First time horizon, s: duration of the initial part of each flight that is fitted first.
 const FIRST_HORIZON: f64 = 0.4;

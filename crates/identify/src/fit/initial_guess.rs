@@ -9,15 +9,16 @@ use super::state::State;
 use super::{FitError, marker_noise};
 use crate::channel::{Channel, ChannelKind};
 use crate::error::{ExcludedFlight, FlightError};
-use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::initial_state::InitialGuess;
 use crate::noise::overall;
-use crate::noise_floor::{median_noise_floor, noise_floor, path_noise};
+use crate::noise_floor::{median_noise_floor, noise_floor};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::{ground_contact, initial_state, summary, vertical};
+use crate::{initial_state, summary, vertical};
+use dataset::contact::{self, Contact, ContactSearch};
+use dataset::path_noise;
 use dataset::pose::Pose;
 use dataset::statistics::{median_of, robust_sigma};
 use dataset::{Dataset, Flight};
@@ -174,13 +175,49 @@ pub fn observations_and_poses(
         // The effect of a contact with the ground is not known if the vertical is not known.
         None => vertical::is_in(&problem.model).then(ContactSearch::default),
     };
-    let poses = ground_contact::truncate_at_contact(problem, &mut observations, search);
+    let poses = truncate_at_contact(problem, &mut observations, search);
     let measured = 3 * observations.measured.iter().flatten().count();
     let unknowns = observations.manifold.dimension();
     if measured < unknowns {
         return Err(FlightError::TooFewCoordinates { measured, unknowns });
     }
     Ok((observations, poses))
+}
+
+/// Truncates a flight before its first contact, which is searched for unless `search` contains it. Returns the poses in
+/// the remaining samples; empty for a point mass.
+fn truncate_at_contact(
+    problem: &FitProblem,
+    observations: &mut Observations,
+    search: Option<ContactSearch>,
+) -> Vec<Option<Pose>> {
+    let (sought, known) = match search {
+        Some(ContactSearch { contact, poses }) => (Some(contact), poses),
+        None => (None, Vec::new()),
+    };
+    let mut poses = match known.is_empty() {
+        true => observations.poses(problem),
+        false => known,
+    };
+    let found = sought.unwrap_or_else(|| {
+        let points = |sample: usize| observations.points(sample);
+        contact::first_change(&contact::path(
+            &problem.points,
+            &observations.times,
+            &poses,
+            points,
+        ))
+    });
+    let Some(Contact { sample, why }) = found else {
+        return poses;
+    };
+    let time = observations.origin + observations.times[sample];
+    observations.truncate(
+        sample,
+        format!("{why} at t = {time:.3} s, as at a touch of the ground"),
+    );
+    poses.truncate(sample);
+    poses
 }
 
 /// Guesses of the initial state, refined by a fit to the first segment, each with its sum of squares; the slowest spin

@@ -5,10 +5,10 @@ use nalgebra::Vector3;
 
 use super::residual_cache::ResidualCache;
 use super::state::State;
-use crate::levels::{LEAST_NOISE, NEAR_NOISE, ROBUST_ERROR, SIGNIFICANT};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::report::MarkerDistance;
+use dataset::levels::{LEAST_NOISE, NEAR_NOISE, ROBUST_ERROR, SIGNIFICANT};
 use dataset::statistics::median;
 
 /// Number of samples over which differences are summed: the noise of different sums is independent.
@@ -42,7 +42,7 @@ pub fn wrong_distances(
     marker_names: &[String],
     noise: f64,
 ) -> Vec<MarkerDistance> {
-    if !problem.has_attitude {
+    if !problem.points.has_attitude {
         return Vec::new();
     }
     let markers = marker_names.len();

@@ -9,11 +9,11 @@ use dataset::pose::distance;
 use dataset::statistics::{median_of, robust_sigma};
 use nalgebra::{DMatrix, DVector};
 
-use crate::levels::{LEAST_NOISE, ROBUST_ERROR, ROUGHLY_NOISE, SIGNIFICANT};
 use crate::noise::{NoiseModel, group_count};
 use crate::numbers::quantity;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
+use dataset::levels::{LEAST_NOISE, ROBUST_ERROR, ROUGHLY_NOISE, SIGNIFICANT};
 
 /// Maximum number of markers whose noise is compared; further ones share the noise of most.
 const MAX_MARKERS: usize = 32;
@@ -121,8 +121,8 @@ fn distance_variance<'o>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fit::tests::jitter;
     use crate::fit::tests::simulated;
-    use crate::ground_contact::tests::jitter;
     use crate::options::FitOptions;
     use dataset::synthesize::Plan;
 

@@ -47,8 +47,7 @@ use self::reweighting::Reweighted;
 use self::state::State;
 use self::summaries::Summaries;
 use crate::channel::MARKER;
-use crate::error::{DataFault, ExcludedFlight, FaultKind, FitError, FlightError};
-use crate::ground_contact::ContactSearch;
+use crate::error::{ExcludedFlight, FitError, FlightError};
 use crate::ids::FlightId;
 use crate::least_squares::SolveError;
 use crate::noise::{NoiseModel, overall};
@@ -58,6 +57,8 @@ use crate::predict::FlightAt;
 use crate::problem::{FitProblem, whitened_tolerance};
 use crate::report::{FitReport, FlightEvidence, FlightOutcome, FlightReport, far_constants};
 use crate::{inputs, screening, vertical};
+use dataset::contact::ContactSearch;
+use dataset::{DataFault, FaultKind};
 use dataset::{Dataset, Flight, Role};
 pub use finished::fit_observations;
 pub use held_out::CONDITIONING_FRACTION;
@@ -168,7 +169,7 @@ impl Task<'_> {
         let mut held_out = flights_of(dataset, Role::HeldOut);
         let (mut data_faults, contacts) = match options.known_faults {
             Some(known) => (known.to_vec(), Vec::new()),
-            None => screening::screen(&problem, dataset, options.threads()),
+            None => dataset::screening::screen(&problem, dataset, options.threads()),
         };
         if vertical::is_in(model) {
             data_faults.retain(|fault| fault.fault != FaultKind::Axes);

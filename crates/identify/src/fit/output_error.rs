@@ -8,11 +8,11 @@ use crate::least_squares::{
     Constraint, Iterate, LeastSquaresProblem, NormalBlock, Solution, SolveError, StoppingCriteria,
     Unknowns, solve,
 };
-use crate::levels::CLEARLY_SMALLER;
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::predict::{FlightAt, Loss, robust_scale};
 use crate::problem::FitProblem;
+use dataset::levels::CLEARLY_SMALLER;
 
 /// Objective of a fit: the sum of squared residuals, or of a loss of them, over the first samples of `flights`.
 pub struct OutputError<'a> {

@@ -5,9 +5,9 @@ use nalgebra::{Matrix3, Vector3};
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::channel::ChannelKind;
-use crate::levels::{FAR_ABOVE, NEAR_NOISE, SIGNIFICANT};
 use crate::numbers::Digits;
 use dataset::AXES;
+use dataset::levels::{FAR_ABOVE, NEAR_NOISE, SIGNIFICANT};
 
 /// Millimetres in a metre.
 const MM: f64 = 1e3;
@@ -22,7 +22,7 @@ pub fn offsets(state: &State<'_>, cache: &ResidualCache) -> Vec<String> {
     let channels = problem.channels.iter().enumerate();
     let poses = channels.filter(|(_, own)| own.kind == ChannelKind::Position);
     let each = poses.filter_map(|(channel, own)| {
-        let flights = (0..state.flights.len()).filter(|_| problem.has_attitude);
+        let flights = (0..state.flights.len()).filter(|_| problem.points.has_attitude);
         let samples = flights.filter_map(|flight| samples(state, cache, flight, channel));
         let found = offset(&samples.flatten().collect::<Vec<_>>())?;
         Some(format!(

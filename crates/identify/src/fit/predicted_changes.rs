@@ -10,13 +10,13 @@ use super::converged;
 use super::initial_guess::{self, ObservedFlights, observe};
 use super::residual_cache::ResidualCache;
 use super::state::State;
-use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
-use crate::levels::{ROBUST_ERROR, ROUGHLY_NOISE, SIGNIFICANT};
 use crate::noise::overall;
 use crate::options::FitOptions;
 use crate::predict::{Residuals, robust_scale};
 use crate::problem::FitProblem;
+use dataset::contact::ContactSearch;
+use dataset::levels::{ROBUST_ERROR, ROUGHLY_NOISE, SIGNIFICANT};
 use dataset::{Dataset, Role};
 
 /// A flight that detection truncates, and the number of samples before its contact.

@@ -7,9 +7,9 @@ use nalgebra::{Matrix3, Vector3};
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::channel::ChannelKind;
-use crate::levels::{AS_GOOD, MAX_DELAY, is_clear};
-use crate::screening::SignedAxes;
+use dataset::levels::{AS_GOOD, MAX_DELAY, is_clear};
 use dataset::pose::nearest_rotation;
+use dataset::screening::SignedAxes;
 use dataset::statistics::median_of;
 
 /// Predicted and measured readings of one flight, less their means, as instruments have offsets, and the time between them, s.

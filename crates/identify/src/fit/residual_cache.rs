@@ -10,12 +10,12 @@ use super::{Fit, FitError, flight_error};
 use crate::error::FlightError;
 use crate::ids::FlightId;
 use crate::least_squares::{FailedFlight, Solution, SolveError, StoppingCriteria, solve_after};
-use crate::levels::{ROBUST_ERROR, UNLIKE};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::predict::{FlightAt, Loss, Residuals, robust_scale};
 use crate::problem::FitProblem;
 use dataset::Dataset;
+use dataset::levels::{ROBUST_ERROR, UNLIKE};
 use dataset::statistics::median_of;
 
 /// Trajectories and residuals of all flights for one set of values of the unknowns.

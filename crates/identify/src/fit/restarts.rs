@@ -12,11 +12,11 @@ use super::state::State;
 use crate::error::FlightError;
 use crate::initial_state::{self, InitialGuess};
 use crate::least_squares::Unknowns;
-use crate::levels::FAR_ABOVE;
 use crate::observations::Observations;
 use crate::observers::ChannelConditions;
 use crate::predict::{FlightAt, Loss};
 use crate::problem::FitProblem;
+use dataset::levels::FAR_ABOVE;
 
 /// Maximum ratio of the rms residual scale of a new fit to that of the present one, for it to be accepted.
 const ACCEPTED_RATIO: f64 = 0.98;
@@ -180,7 +180,7 @@ fn from_undistorted<'a>(state: &State<'a>) -> Result<Option<Arrival<'a>>, FitErr
 /// values on the same trajectory. `None` if it is negligible, or the pose is not that of markers alone.
 fn without_distortion(at: FlightAt<'_>) -> Option<Observations> {
     let (problem, observations) = (at.problem, at.observations);
-    if !problem.is_shown_by_markers() {
+    if !problem.points.are_markers {
         return None;
     }
     let trajectory = at.states().ok()?;

@@ -11,10 +11,11 @@ use super::reweighting::{Reweighted, reweight};
 use super::starts::distinct;
 use super::state::State;
 use super::{FitError, restarts};
-use crate::error::{ExcludedFlight, FaultKind, FlightError};
-use crate::levels::{CLEARLY_SMALLER, FAR_ABOVE, HOPELESS};
+use crate::error::{ExcludedFlight, FlightError};
 use crate::numbers::significant;
 use crate::observations::Observations;
+use dataset::FaultKind;
+use dataset::levels::{CLEARLY_SMALLER, FAR_ABOVE, HOPELESS};
 use dataset::statistics::median;
 use dataset::{Dataset, Flight};
 

@@ -11,8 +11,8 @@ use super::initial_guess::spin_note;
 use super::residual_cache::ResidualCache;
 use super::starts::{ANOTHER, Arrivals, are_same};
 use super::state::State;
-use crate::levels::ROUGHLY_NOISE;
 use crate::problem::FitProblem;
+use dataset::levels::ROUGHLY_NOISE;
 use dataset::statistics::median_of;
 
 /// Numbers of turns per sampling interval that are added to the slowest spin, the most probable first.

@@ -13,7 +13,7 @@ use super::output_error::FlightAlone;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::initial_state::InitialGuess;
-use crate::levels::ROUGHLY_NOISE;
+use dataset::levels::ROUGHLY_NOISE;
 
 /// Least relative difference of initial states, or of their angular velocities, of different fits: a turn per interval is
 /// most of either.

@@ -15,15 +15,13 @@ use crate::numbers::{probability, significant};
 use crate::observations::Observations;
 use crate::predict::{FlightAt, add_state_priors};
 use crate::problem::FitProblem;
+use dataset::levels::ROUNDING;
 
 /// Maximum number of iterations, and relative change of the standard deviations at their end.
 const ITERATIONS: (usize, f64) = (50, 1e-4);
 
 /// Least redundancy of a column whose noise is estimated.
 const LEAST_REDUNDANCY: f64 = 0.5;
-
-/// Least noise relative to the one that was assumed at first.
-const LEAST_NOISE: f64 = 1e-9;
 
 /// p-value below which rows do not agree with their stated standard deviations.
 const LEVEL: f64 = 0.01;
@@ -64,7 +62,7 @@ pub fn estimate(state: &State<'_>, noise: &mut NoiseModel) -> Result<(), FlightE
                 continue;
             };
             let sigma = (squares / redundancy.max(LEAST_REDUNDANCY)).sqrt();
-            let sigma = sigma.max(LEAST_NOISE * problem.sigma0);
+            let sigma = sigma.max(ROUNDING * problem.sigma0);
             let own = noise.of_mut(channel);
             change = change.max((sigma / own.sigma[0] - 1.0).abs());
             own.sigma = [sigma; 3];

@@ -39,3 +39,10 @@ pub fn pushed(flight: &Flight, sample: f64, push: Vector3<f64>) -> Flight {
     }
     flight
 }
+
+/// Deterministic pseudo-random value between −1 and 1, used as measurement noise.
+pub fn jitter(seed: usize) -> f64 {
+    let mixed = (seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let mixed = (mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    ((mixed >> 11) as f64 / (1_u64 << 53) as f64).mul_add(2.0, -1.0)
+}

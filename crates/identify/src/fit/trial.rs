@@ -4,14 +4,14 @@
 use model_spec::compose::ModelTree;
 
 use super::{Fit, FitError, Task};
-use crate::error::{DataFault, FaultKind};
-use crate::levels::SIGNIFICANT;
 use crate::numbers::Digits;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::report::{Coefficient, LACK_OF_FIT_LEVEL, LackOfFit, MAX_PRIOR_CONFLICT};
-use crate::screening::{self, OtherMeaning, Poses};
+use dataset::levels::SIGNIFICANT;
+use dataset::screening::{self, OtherMeaning, Poses};
 use dataset::statistics::median_of;
+use dataset::{DataFault, FaultKind};
 use dataset::{Dataset, Flight, Role};
 
 const FLIGHTS: usize = 4;
@@ -125,7 +125,13 @@ impl Task<'_> {
         };
         let is_meant = |unit: &OtherMeaning| {
             let found = self.tried_with(unit);
-            found.is_some_and(|fit| unit.is_followed(self.dataset, &fit.report.sensors))
+            found.is_some_and(|fit| {
+                unit.is_followed(self.dataset, |name| {
+                    let mut sensors = fit.report.sensors.iter();
+                    let sensor = sensors.find(|own| own.name == name);
+                    sensor.map(|own| own.rms)
+                })
+            })
         };
         let found = units.find(|unit| may_be_wrong && is_meant(unit));
         let why = "the flights fit to the noise in this unit, and not as they are";

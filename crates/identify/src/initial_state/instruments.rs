@@ -75,8 +75,8 @@ pub fn motions(
                 let motion = RigidMotion {
                     position: Vector3::zeros(),
                     velocity: attitude * velocity,
-                    attitude: problem.has_attitude.then_some(attitude),
-                    rates: problem.has_attitude.then(|| attitude * spin),
+                    attitude: problem.points.has_attitude.then_some(attitude),
+                    rates: problem.points.has_attitude.then(|| attitude * spin),
                 };
                 motions.push((index, 0, motion));
             }

@@ -8,8 +8,9 @@ mod rigid_motion;
 
 use nalgebra::DVector;
 
+use dataset::pose::RigidMotion;
 pub use observation_inverse::state_for_motion;
-pub use rigid_motion::{RigidMotion, sigma0};
+pub use rigid_motion::sigma0;
 
 use crate::error::FlightError;
 use crate::observations::Observations;

@@ -43,7 +43,7 @@ pub fn state_for_motion(
 ) -> Result<DVector<f64>, FlightError> {
     let parameters = observations.parameters(problem, &problem.model_values());
     let conditions = problem.body.bind(parameters);
-    let probes: &[[f64; 3]] = if problem.has_attitude {
+    let probes: &[[f64; 3]] = if problem.points.has_attitude {
         &PROBES
     } else {
         &PROBES[..1]

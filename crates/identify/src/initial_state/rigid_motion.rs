@@ -3,41 +3,13 @@
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
 use crate::error::FlightError;
-use crate::levels::{OUTLIER_VARIANCE, UNLIKE};
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use crate::seen_path::{Seen, seen_path};
-use dataset::pose::{Pose, pose};
+use dataset::levels::{OUTLIER_VARIANCE, RANK, UNLIKE};
+use dataset::pose::{Pose, RigidMotion, pose};
 use dataset::statistics::{median, median_of, median_vector, robust_sigma};
+use dataset::{Seen, seen_path};
 use flight::moore_penrose;
-
-/// Rigid-body motion at one instant, in inertial components.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RigidMotion {
-    /// Position of the body's origin in the inertial frame, m.
-    pub position: Vector3<f64>,
-    /// Velocity of the body's origin in inertial components, m/s.
-    pub velocity: Vector3<f64>,
-    /// Attitude: rotation from body components to inertial components; `None` for a point mass.
-    pub attitude: Option<UnitQuaternion<f64>>,
-    /// Angular velocity in inertial components, rad/s; `None` for a point mass.
-    pub rates: Option<Vector3<f64>>,
-}
-
-impl RigidMotion {
-    /// The motion with `turns` more turns per interval about its axis; `whole` is the rate of one, rad/s.
-    pub fn with_turns(&self, turns: i32, whole: f64) -> RigidMotion {
-        let rates = self.rates.map(|rates| {
-            let axis = rates.try_normalize(1e-9).unwrap_or_else(Vector3::z);
-            if turns == 0 {
-                rates
-            } else {
-                rates + axis * (f64::from(turns) * whole)
-            }
-        });
-        RigidMotion { rates, ..*self }
-    }
-}
 
 /// Maximum number of samples of the motion: enough to average the noise, few enough for a parabola.
 const MAX_SAMPLES: usize = 16;
@@ -48,8 +20,8 @@ const MAX_GAP: f64 = 3.5;
 /// The first samples, at most `most`, in which a pose or the position of a point mass is measured; times from the first on.
 fn first_seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<Seen> {
     let points = |sample: usize| observations.points(sample);
-    let pose = |sample: usize| pose(&problem.markers, points(sample));
-    let seen = seen_path(problem, &observations.times, points, pose).take(most);
+    let pose = |sample: usize| pose(&problem.points.markers, points(sample));
+    let seen = seen_path(&problem.points, &observations.times, points, pose).take(most);
     // Times of an arc do not start at 0.
     let since = |own: Seen| Seen {
         time: own.time - observations.times[0],
@@ -68,7 +40,10 @@ pub fn sigma0(
     observations: &Observations,
     poses: &[Option<Pose>],
 ) -> Option<f64> {
-    if problem.has_attitude && problem.markers.len() >= 3 && problem.is_shown_by_markers() {
+    if problem.points.has_attitude
+        && problem.points.markers.len() >= 3
+        && problem.points.are_markers
+    {
         let poses = poses.iter().flatten().take(MAX_NOISE_SAMPLES);
         let mut squares: Vec<f64> = poses.map(Pose::variance).collect();
         // The median of χ² with 3 degrees of freedom is 2.366.
@@ -92,10 +67,10 @@ pub fn first_motion(
     observations: &Observations,
 ) -> Result<RigidMotion, FlightError> {
     let mut seen = first_seen(problem, observations, MAX_SAMPLES);
-    let least = if problem.has_attitude { 3 } else { 4 };
+    let least = if problem.points.has_attitude { 3 } else { 4 };
     if seen.len() < least {
         let (found, needed) = (seen.len(), least);
-        return Err(match problem.has_attitude {
+        return Err(match problem.points.has_attitude {
             true => FlightError::TooFewPoses { found, needed },
             false => FlightError::TooFewPositions { found, needed },
         });
@@ -114,7 +89,7 @@ pub fn first_motion(
         attitude: None,
         rates: None,
     };
-    if problem.has_attitude {
+    if problem.points.has_attitude {
         let rates = rates(&seen)?;
         motion.attitude = attitude(&seen, rates);
         motion.rates = Some(rates);
@@ -143,9 +118,6 @@ fn path(seen: &[Seen]) -> (Vector3<f64>, Vector3<f64>) {
     (parabola.position, parabola.velocity)
 }
 
-/// Singular value, relative to the greatest, up to which samples at the same time determine no velocity.
-const RANK_TOLERANCE: f64 = 1e-12;
-
 /// Least-squares parabola in time through measured positions.
 struct Parabola {
     position: Vector3<f64>,
@@ -160,7 +132,7 @@ impl Parabola {
         let design = DMatrix::from_fn(frames.len(), powers, |row, power| {
             frames[row].time.powi(power as i32)
         });
-        let inverse = moore_penrose(&design, RANK_TOLERANCE);
+        let inverse = moore_penrose(&design, RANK);
         let (mut position, mut velocity) = (Vector3::zeros(), Vector3::zeros());
         let mut squares = vec![0.0_f64; frames.len()];
         for axis in 0..3 {

@@ -1,6 +1,6 @@
 //! Least squares with a banded design: Gram matrix, its Cholesky factor, and projections on the design's columns.
 
-use crate::levels::RANK;
+use dataset::levels::RANK;
 
 /// Number of subdiagonals of the Gram matrix. A whitened row combines the splines of two successive samples at most 5
 /// knot intervals apart, at most 9; samples farther apart count as independent.

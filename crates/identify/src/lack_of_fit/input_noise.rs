@@ -10,11 +10,11 @@ use rand_distr::{Distribution, Normal};
 use super::FittedFlight;
 use crate::fit::Fit;
 use crate::least_squares::{NormalBlock, pseudo_inverse};
-use crate::levels::MIN_SERIES;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::predict::FlightAt;
 use crate::report::InputNoise;
+use dataset::levels::MIN_SERIES;
 
 /// Orders of the differences that show the noise of an input. In each further one a signal becomes smaller beside the
 /// noise where its periods have three samples or more; beyond six, few samples of a flight are left.

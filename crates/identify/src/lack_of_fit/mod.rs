@@ -231,7 +231,7 @@ impl FittedFlight<'_> {
         let mut observer = bound.observer();
         let samples = self.evidence.times.iter().zip(&self.evidence.states);
         let rows = samples.map(|(time, state)| {
-            let points = problem.markers.iter();
+            let points = problem.points.markers.iter();
             points
                 .map(|point| observer.position(*time, state, point))
                 .collect()

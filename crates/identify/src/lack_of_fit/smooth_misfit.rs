@@ -7,9 +7,9 @@ use statrs::function::erf::erfc;
 use super::noise_floor::FlightSeries;
 use super::series::{SUPPORT, Series, SplineBasis};
 use crate::channel::Channel;
-use crate::levels::ROUNDING;
 use crate::noise::{AxesNoise, NoiseModel};
 use crate::report::SmoothMisfit;
+use dataset::levels::ROUNDING;
 
 /// Lack-of-fit statistics of one flight: reduction of the sum of squares of its residuals by two sets of splines.
 #[derive(Clone, Copy, Debug, Default)]
@@ -266,7 +266,7 @@ pub(super) fn greatest_misfit(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground_contact::tests::jitter;
+    use crate::fit::tests::jitter;
 
     /// p-value of a flight with noise of 1 mm, and `left`, m, of what its own unknown might take away.
     fn p_value(left: f64) -> f64 {

@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 
-use crate::levels::RANK;
+use dataset::levels::RANK;
 
 /// Square root of a diagonal entry of a matrix, at or below which the row and the column of this entry are not scaled.
 const MIN_ROOT: f64 = 1e-150;

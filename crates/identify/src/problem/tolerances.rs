@@ -2,7 +2,7 @@
 
 use model_spec::model::Model;
 
-use crate::levels::ROUGHLY_NOISE;
+use dataset::levels::ROUGHLY_NOISE;
 
 /// Tolerance for whitened residuals of any number of flights: the error of a disc after one second is far below 1/1000
 /// of the noise, of a fast-spinning body with a quaternion below 1/50.

@@ -13,8 +13,8 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::channel::MARKER;
-use crate::error::DataFault;
 use crate::observations::Truncation;
+use dataset::DataFault;
 use dataset::Role;
 pub use evidence::{AxisResiduals, FlightEvidence, SensorEvidence};
 pub use lack_of_fit::{InputNoise, LackOfFit, MissingTerm, SmoothMisfit};

@@ -1,10 +1,10 @@
 //! Assessment whether a fit is reliable, with the reasons if it is not.
 
 use super::{Coefficient, FitReport, FitStatus, InputNoise, LackOfFit, stated};
-use crate::levels::{CONFOUNDED, FAR_ABOVE, LEAST_NOISE, SIGNIFICANT};
 use crate::numbers::{Digits, significant};
 use crate::wording::{count, listed};
 use dataset::Role;
+use dataset::levels::{CONFOUNDED, FAR_ABOVE, LEAST_NOISE, SIGNIFICANT};
 
 /// Ratio of the rms residual to the noise floor above which a fit is not reliable; AR(1) noise of coefficient 0.9 stays
 /// below.

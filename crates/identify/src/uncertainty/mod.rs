@@ -9,8 +9,8 @@ pub use non_identifiability::non_identifiable;
 pub use profile::profile;
 
 use crate::least_squares::{ReducedSystem, floored_inverse};
-use crate::levels::RANK;
 use crate::problem::GlobalParameter;
+use dataset::levels::RANK;
 
 const NORMAL_975: f64 = 1.959_963_984_540_054;
 

@@ -6,11 +6,11 @@ use model_spec::model::{Expr, ExprKind, Model};
 use model_spec::sort_by_number;
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::levels::CONFOUNDED;
 use crate::numbers::{is_angle, unit};
 use crate::problem::GlobalParameter;
 use crate::report::NonIdentifiable;
 use crate::wording::listed;
+use dataset::levels::CONFOUNDED;
 
 /// Standard error of a direction, in typical magnitudes, above which it is not identifiable, and minimum component of a
 /// coefficient that is named, relative to the largest.

@@ -13,6 +13,7 @@ mod planar;
 mod poses;
 mod predicted_changes;
 mod rounded_readings;
+mod screening;
 mod single_flights;
 mod stated_constants;
 mod summaries;

@@ -12,10 +12,10 @@ use super::reweighting::estimate_noise;
 use super::state::State;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
-use crate::levels::NEAR_NOISE;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 use dataset::Dataset;
+use dataset::levels::NEAR_NOISE;
 
 /// Ratio to the median residual scale, and excess in standard errors, above which a flight is left out of the reference
 /// fit; a truncated flight gets its whole length back up to this ratio.

@@ -7,11 +7,11 @@ use crate::contact_time::{Onset, contact_time};
 use crate::fit::FittedFlight;
 use crate::fit::initial_guess::{first_segment, refined_guesses};
 use crate::fit::output_error::FixedGlobal;
-use crate::ground_contact::MIN_UPWARD_PART;
-use crate::levels::FAR_ABOVE;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use dataset::Flight;
+use dataset::contact::MIN_UPWARD_PART;
+use dataset::levels::FAR_ABOVE;
 
 /// Numbers of samples before and after the last used sample of a truncated flight that are searched again.
 const SEARCH_RANGE: (usize, usize) = (12, 14);

@@ -1,0 +1,244 @@
+//! Flights that are near copies of others: one throw exported twice, with another filter, rounding, clock or rate. Two
+//! throws are never alike to within the noise, and the noise of one is independent of that of the other.
+
+use std::ops::Range;
+
+use crate::Dataset;
+use crate::statistics::{median_of, robust_sigma};
+use flight::parallel;
+use nalgebra::Vector3;
+
+use super::track::Track;
+use crate::contact::PathPoint;
+use crate::fault::{DataFault, FaultKind};
+use crate::levels::{LEAST_NOISE, MAX_GAP, MIN_SERIES, SIGNIFICANT};
+
+/// Ratio of the variance of the difference of two paths to the sum of their noise variances below which they share their
+/// noise; it is 1 for equal motions with independent noise. Rounding to 1 mm leaves 0.14 of noise of 0.5 mm.
+const SHARED: f64 = 0.25;
+/// Numbers of successive differences over which a mean is taken, where one path is smoother than the other: a filter
+/// keeps the slow part of the noise.
+const BLOCKS: [usize; 4] = [4, 8, 16, 32];
+/// Minimum number of means.
+const MIN_BLOCKS: usize = 8;
+/// Ratio of the noise of two paths above which one was filtered.
+const FILTERED: f64 = 2.0;
+/// Number of steps that refine the shift of the clock.
+const STEPS: usize = 4;
+
+/// Turns the later flight of each pair of near copies into a fault.
+pub fn reject(
+    dataset: &Dataset,
+    faults: &mut [Option<DataFault>],
+    tracks: &mut [Option<Track>],
+    threads: usize,
+) {
+    let paths: Vec<Option<Path<'_>>> = tracks
+        .iter()
+        .map(|track| Path::of(track.as_ref()?))
+        .collect();
+    let originals = parallel::each_on(threads, paths.len(), |later| {
+        let own = paths[later].as_ref()?;
+        let is_original = |earlier: &Option<Path<'_>>| {
+            earlier.as_ref().is_some_and(|other| are_copies(other, own))
+        };
+        paths[..later].iter().position(is_original)
+    });
+    for (later, original) in originals.into_iter().enumerate() {
+        let Some(original) = original else { continue };
+        let [original, flight] = [original, later].map(|index| &dataset.flights[index]);
+        faults[later] = Some(DataFault::new(
+            flight,
+            FaultKind::Other,
+            format!(
+                "its path is that of {} to within the noise, which both share, as of one throw that was exported twice",
+                original.file
+            ),
+            format!("remove one of {} and {}", original.file, flight.file),
+        ));
+        tracks[later] = None;
+    }
+}
+
+/// Points of a path, with their usual interval, s, and the noise of a coordinate, m.
+#[derive(Clone, Copy)]
+struct Path<'t> {
+    points: &'t [PathPoint],
+    interval: f64,
+    noise: f64,
+}
+
+impl<'t> Path<'t> {
+    /// The path of a track; `None` if it has few points or, as a simulated one, no noise.
+    fn of(track: &'t Track) -> Option<Self> {
+        let points = &track.points[..];
+        let intervals = points.windows(2).map(|pair| pair[1].time - pair[0].time);
+        let path = Self {
+            points,
+            interval: median_of(intervals)?,
+            noise: track.noise,
+        };
+        (points.len() >= MIN_SERIES && path.noise > LEAST_NOISE).then_some(path)
+    }
+}
+
+/// Whether two paths are of one throw, with a shift of the clock.
+fn are_copies(one: &Path<'_>, other: &Path<'_>) -> bool {
+    // The path with more samples is read at the times of the other one.
+    let (dense, sparse) = match one.interval <= other.interval {
+        true => (one, other),
+        false => (other, one),
+    };
+    let starts = [
+        shift_at_start(sparse, dense),
+        shift_at_start(dense, sparse).map(|shift| -shift),
+    ];
+    let mut shifts = starts.into_iter().flatten();
+    shifts.any(|shift| {
+        are_near(dense, sparse, shift) && share_noise(dense, sparse, refined(dense, sparse, shift))
+    })
+}
+
+/// What is added to the times of `path` so that its first point is at the nearest one of `other`; `None` if they are far
+/// apart.
+fn shift_at_start(path: &Path<'_>, other: &Path<'_>) -> Option<f64> {
+    let first = path.points.first()?;
+    let away = |point: &&PathPoint| (point.position - first.position).norm();
+    let near = other
+        .points
+        .iter()
+        .min_by(|a, b| away(a).total_cmp(&away(b)))?;
+    (away(&near) <= reach(path, other)).then_some(near.time - first.time)
+}
+
+/// Distance of two points of one path, m, that are at most an interval and the noise apart.
+fn reach(one: &Path<'_>, other: &Path<'_>) -> f64 {
+    let steps = one.points.windows(2).chain(other.points.windows(2));
+    let step = steps.map(|pair| (pair[1].position - pair[0].position).norm());
+    step.fold(0.0, f64::max) + SIGNIFICANT * (one.noise + other.noise)
+}
+
+/// Whether the paths, aligned at a start, are near each other in the middle of what they have in common.
+fn are_near(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
+    let [first, last] = [dense.points[0], dense.points[dense.points.len() - 1]];
+    let within = |point: &&PathPoint| (first.time..last.time).contains(&(point.time + shift));
+    let common: Vec<&PathPoint> = sparse.points.iter().filter(within).collect();
+    let middle = common.get(common.len() / 2).map(|point| PathPoint {
+        time: point.time + shift,
+        ..**point
+    });
+    middle.is_some_and(|point| {
+        let next = dense.points.partition_point(|own| own.time < point.time);
+        (dense.points[next].position - point.position).norm() <= 2.0 * reach(dense, sparse)
+    })
+}
+
+/// Shift of the clock at which the paths differ least.
+fn refined(dense: &Path<'_>, sparse: &Path<'_>, mut shift: f64) -> f64 {
+    for _ in 0..STEPS {
+        let (mut along, mut squares) = (0.0, 0.0);
+        for (difference, velocity) in differences(dense, sparse, shift) {
+            along += difference.dot(&velocity);
+            squares += velocity.norm_squared();
+        }
+        if squares > 0.0 {
+            shift -= along / squares;
+        }
+    }
+    shift
+}
+
+/// Differences of the paths, dense − sparse, m, at the points of the sparse one with the clock shifted, and velocities,
+/// m/s, where the dense one has points around them.
+fn differences<'t>(
+    dense: &'t Path<'t>,
+    sparse: &'t Path<'t>,
+    shift: f64,
+) -> impl Iterator<Item = (Vector3<f64>, Vector3<f64>)> {
+    let longest = 3.0 * MAX_GAP * dense.interval;
+    let points = dense.points;
+    sparse.points.iter().filter_map(move |point| {
+        let time = point.time + shift;
+        let next = points.partition_point(|own| own.time < time);
+        let around: Range<usize> = next.checked_sub(2)?..next + 2;
+        let four = points.get(around)?;
+        if four[3].time - four[0].time > longest {
+            return None;
+        }
+        let velocity = (four[2].position - four[1].position) / (four[2].time - four[1].time);
+        Some((cubic(four, time) - point.position, velocity))
+    })
+}
+
+/// Cubic in time through four points.
+fn cubic(four: &[PathPoint], time: f64) -> Vector3<f64> {
+    let weight = |i: usize| -> f64 {
+        let others = (0..4).filter(|j| *j != i);
+        others
+            .map(|j| (time - four[j].time) / (four[i].time - four[j].time))
+            .product()
+    };
+    (0..4).map(|i| four[i].position * weight(i)).sum()
+}
+
+/// Whether the paths differ by less than independent noise, from sample to sample or, of a filtered one, slowly.
+fn share_noise(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
+    let all = differences(dense, sparse, shift).map(|(difference, _)| difference);
+    let all: Vec<Vector3<f64>> = all.collect();
+    if all.len() < MIN_SERIES {
+        return false;
+    }
+    let variances = [dense, sparse].map(|path| path.noise.powi(2));
+    let [limit, greatest, least] = [
+        SHARED * (variances[0] + variances[1]),
+        variances[0].max(variances[1]),
+        variances[0].min(variances[1]),
+    ];
+    let mut sizes: Vec<f64> = all
+        .iter()
+        .flat_map(|own| [own.x.abs(), own.y.abs(), own.z.abs()])
+        .collect();
+    if robust_sigma(&mut sizes).powi(2) < limit {
+        return true;
+    }
+    let is_filtered = greatest > FILTERED.powi(2) * least;
+    is_filtered
+        && BLOCKS.into_iter().any(|block| {
+            let means = all.chunks_exact(block);
+            let count = means.len();
+            let squares = means.map(|own| own.iter().sum::<Vector3<f64>>().norm_squared());
+            // Mean square of a coordinate of a mean, times the number of its differences.
+            let variance = squares.sum::<f64>() / (3 * count * block) as f64;
+            count >= MIN_BLOCKS && variance < limit
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shift_of_a_clock_is_found() {
+        let points = |interval: f64, shift: f64| -> Vec<PathPoint> {
+            let each = (0..40).map(|sample| {
+                let time = interval * sample as f64;
+                let at = time + shift;
+                PathPoint {
+                    sample,
+                    time,
+                    position: Vector3::new(9.0 * at, 0.3 * at, 1.0 + 2.0 * at - 4.905 * at * at),
+                    attitude: None,
+                }
+            });
+            each.collect()
+        };
+        let (dense, sparse) = (points(0.01, 0.0), points(0.02, 0.0137));
+        let path = |points, interval| Path {
+            points,
+            interval,
+            noise: 1e-3,
+        };
+        let (dense, sparse) = (path(&dense[..], 0.01), path(&sparse[..], 0.02));
+        assert!((refined(&dense, &sparse, 0.02) - 0.0137).abs() < 1e-6);
+    }
+}
