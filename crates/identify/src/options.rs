@@ -121,8 +121,11 @@ impl FitOptions<'_> {
     ) -> Vec<R> {
         self.stage_started(stage, count);
         parallel::each_on(self.threads(), count, |flight| {
+            let is_skipped = self.is_cancelled();
             let done = task(flight);
-            self.flight_done();
+            if !is_skipped {
+                self.flight_done();
+            }
             done
         })
     }
