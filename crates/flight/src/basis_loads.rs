@@ -3,11 +3,11 @@
 use std::borrow::Cow;
 
 use model_spec::layout::ParamId;
-use ode::{DifferentiableRhs, Projection};
+use ode::{DifferentiableRhs, Projection, RhsProperties};
 
 use crate::{BoundModel, ModelRhs};
 
-/// Equations of motion with further parameters, coefficients `c` of terms `c · basis(t, x)` that are added to a parameter
+/// RhsProperties of motion with further parameters, coefficients `c` of terms `c · basis(t, x)` that are added to a parameter
 /// of the model. At `c = 0`, the derivative by `c` is that by the parameter, times `basis(t, x)`.
 pub struct BasisLoads<'a, B> {
     motion: ModelRhs<'a>,
@@ -39,7 +39,7 @@ impl<'a, B: FnMut(f64, &[f64], &mut [f64])> BasisLoads<'a, B> {
             }
         }
         Self {
-            time_breaks: DifferentiableRhs::time_breaks(&motion).to_vec(),
+            time_breaks: motion.time_breaks().to_vec(),
             motion,
             pattern,
             sources,
@@ -88,9 +88,11 @@ impl<B: FnMut(f64, &[f64], &mut [f64])> DifferentiableRhs for BasisLoads<'_, B> 
             *to = own[entry] * self.values[index];
         }
     }
+}
 
+impl<B> RhsProperties for BasisLoads<'_, B> {
     fn projection(&self) -> Option<Projection> {
-        DifferentiableRhs::projection(&self.motion)
+        self.motion.projection()
     }
 
     fn time_breaks(&self) -> &[f64] {
@@ -98,6 +100,6 @@ impl<B: FnMut(f64, &[f64], &mut [f64])> DifferentiableRhs for BasisLoads<'_, B> 
     }
 
     fn state_name(&self, state: usize) -> Cow<'_, str> {
-        DifferentiableRhs::state_name(&self.motion, state)
+        self.motion.state_name(state)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::{BoundModel, ModelState, Workspace};
 use lanes::{Enclosure, Switch};
-use ode::{DifferentiableRhs, OdeRhs, Projection};
+use ode::{DifferentiableRhs, OdeRhs, Projection, RhsProperties};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -36,30 +36,6 @@ impl OdeRhs for ModelRhs<'_> {
         let at = self.model.at(t, x, &mut self.parameters);
         functions.f(at, &mut self.workspace, dx);
     }
-
-    fn projection(&self) -> Option<Projection> {
-        DifferentiableRhs::projection(self)
-    }
-
-    fn time_breaks(&self) -> &[f64] {
-        &self.model.time_breaks
-    }
-
-    fn switches(&self) -> Option<Arc<[Switch]>> {
-        DifferentiableRhs::switches(self)
-    }
-
-    fn switch_arguments(&mut self, t: f64, x: &ModelState, to: &mut [f64]) {
-        DifferentiableRhs::switch_arguments(self, t, x, to);
-    }
-
-    fn switch_bounds(&mut self, t: Enclosure, x: &[Enclosure], to: &mut [Enclosure]) -> bool {
-        DifferentiableRhs::switch_bounds(self, t, x, to)
-    }
-
-    fn state_name(&self, component: usize) -> Cow<'_, str> {
-        self.model.model.state_name(component)
-    }
 }
 
 impl DifferentiableRhs for ModelRhs<'_> {
@@ -89,7 +65,9 @@ impl DifferentiableRhs for ModelRhs<'_> {
             .functions()
             .f_jac_par(at, workspace, dx, jacobian, parameter_jacobian);
     }
+}
 
+impl RhsProperties for ModelRhs<'_> {
     fn projection(&self) -> Option<Projection> {
         let constraints = self.model.constraints.clone()?;
         Some(constraints)

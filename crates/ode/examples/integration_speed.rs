@@ -3,7 +3,7 @@
 #[path = "../tests/integration/disc/mod.rs"]
 mod disc;
 
-use ode::{DifferentiableRhs, Projection, Sensitivities};
+use ode::{DifferentiableRhs, RhsProperties, Sensitivities};
 use ode::{Event, IntegrationOptions, Method, OdeRhs, integrate, integrate_at, integrate_to_end};
 use std::hint::black_box;
 use std::time::Instant;
@@ -46,13 +46,9 @@ impl DifferentiableRhs for Entries {
         j.fill(1e-3);
         jp.fill(1e-3);
     }
-    fn projection(&self) -> Option<Projection> {
-        None
-    }
-    fn time_breaks(&self) -> &[f64] {
-        &[]
-    }
 }
+
+impl RhsProperties for Entries {}
 
 fn sensitivities() {
     let mut entries = Entries(

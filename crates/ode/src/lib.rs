@@ -64,7 +64,7 @@ pub use integrate::{
 pub use method::Method;
 pub use options::{IntegrationOptions, SolverStats};
 pub use projection::{Project, Projection};
-pub use rhs::{FnRhs, OdeRhs, StateVector, rhs_from_fn};
+pub use rhs::{FnRhs, OdeRhs, RhsProperties, StateVector, rhs_from_fn};
 pub use sensitivity::{DifferentiableRhs, Sensitivities, SensitivityLayout};
 pub use solver::Endpoint;
 pub use trajectory::Trajectory;

@@ -10,26 +10,11 @@ pub trait StateVector: Clone + AsRef<[f64]> + AsMut<[f64]> {}
 
 impl<X: Clone + AsRef<[f64]> + AsMut<[f64]>> StateVector for X {}
 
-/// Right-hand side f of dx/dt = f(t, x); [`rhs_from_fn`] builds a right-hand side from a closure.
-pub trait OdeRhs {
-    /// Type of the state vector x.
-    type State: StateVector;
-
-    /// Writes f(t, x) to every component of `dx`, in state units per unit of time.
-    ///
-    /// Outside the domain of f, write NaN or an infinity: the step is rejected, and where no shorter step
-    /// succeeds the integration fails with
-    /// [`NonFiniteDerivative`](crate::IntegrationFailure::NonFiniteDerivative).
-    fn derivative(&mut self, t: f64, x: &Self::State, dx: &mut Self::State);
-
+/// What a solver has to know of a right-hand side f besides its values.
+pub trait RhsProperties {
     /// Projection onto what the equations keep, such as constraints; none by default.
     fn projection(&self) -> Option<Projection> {
         None
-    }
-
-    /// Number of leading state components in the error norm of the step-size control; all by default.
-    fn error_controlled_len(&self) -> usize {
-        usize::MAX
     }
 
     /// Times, increasing, at which f or a derivative of it may jump; a step ends just before each, and the next begins
@@ -46,7 +31,7 @@ pub trait OdeRhs {
 
     /// Writes the arguments of functions within f that switch, such as the height of a layer of wind; one that depends
     /// on another comes after it.
-    fn switch_arguments(&mut self, t: f64, x: &Self::State, to: &mut [f64]) {
+    fn switch_arguments(&mut self, t: f64, x: &[f64], to: &mut [f64]) {
         let _ = (t, x, to);
     }
 
@@ -60,6 +45,24 @@ pub trait OdeRhs {
     /// Name of a state component, used in error messages only.
     fn state_name(&self, component: usize) -> Cow<'_, str> {
         format!("state {component}").into()
+    }
+}
+
+/// Right-hand side f of dx/dt = f(t, x); [`rhs_from_fn`] builds a right-hand side from a closure.
+pub trait OdeRhs: RhsProperties {
+    /// Type of the state vector x.
+    type State: StateVector;
+
+    /// Writes f(t, x) to every component of `dx`, in state units per unit of time.
+    ///
+    /// Outside the domain of f, write NaN or an infinity: the step is rejected, and where no shorter step
+    /// succeeds the integration fails with
+    /// [`NonFiniteDerivative`](crate::IntegrationFailure::NonFiniteDerivative).
+    fn derivative(&mut self, t: f64, x: &Self::State, dx: &mut Self::State);
+
+    /// Number of leading state components in the error norm of the step-size control; all by default.
+    fn error_controlled_len(&self) -> usize {
+        usize::MAX
     }
 }
 
@@ -92,7 +95,9 @@ impl<X: StateVector, F: FnMut(f64, &X, &mut X)> OdeRhs for FnRhs<'_, X, F> {
     fn derivative(&mut self, t: f64, x: &X, dx: &mut X) {
         (self.f)(t, x, dx);
     }
+}
 
+impl<X, F> RhsProperties for FnRhs<'_, X, F> {
     fn state_name(&self, component: usize) -> Cow<'_, str> {
         match self.names.get(component) {
             Some(name) => (*name).into(),

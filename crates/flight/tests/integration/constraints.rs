@@ -5,7 +5,7 @@ use model_spec::load::from_text;
 use nalgebra::DVector;
 use ode::{
     Event, FlightEnd, FlightOutcome, FlightQueue, FlightSpan, IntegrationOptions, OdeRhs, Project,
-    Sensitivities, integrate, integrate_to_end, rhs_from_fn,
+    RhsProperties, Sensitivities, integrate, integrate_to_end, rhs_from_fn,
 };
 
 /// A bob on a rod, as a declared point.
@@ -49,6 +49,8 @@ solve string {
 
 /// The right-hand side of a model, whose steps are not held to the constraints.
 struct Free<D>(D);
+
+impl<D> RhsProperties for Free<D> {}
 
 impl<D: OdeRhs> OdeRhs for Free<D> {
     type State = D::State;

@@ -5,8 +5,8 @@ use flight::{BoundModel, CompiledModel, LaneModel, ModelState};
 use model_spec::EffectTree;
 use model_spec::load::from_text;
 use ode::{
-    Endpoint, FlightEnd, FlightQueue, FlightSpan, IntegrationOptions, OdeRhs, Sensitivities,
-    integrate_to_end, rhs_from_fn,
+    Endpoint, FlightEnd, FlightQueue, FlightSpan, IntegrationOptions, OdeRhs, RhsProperties,
+    Sensitivities, integrate_to_end, rhs_from_fn,
 };
 
 /// Length of the path on which the features lie; the step would be longer than it.

@@ -10,7 +10,7 @@ use super::functions::{Function, LaneFunctions};
 use super::norms::error_norm;
 use super::stages::Stages;
 use super::staging::{LaneValues, Staging, merge};
-use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs};
+use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LaneRhs};
 use crate::method::tableau::Tableau;
 use crate::method::{ErrorTolerance, ROWS};
 use crate::options::IntegrationOptions;
@@ -234,12 +234,8 @@ impl<'a, T: Lanes> Flying<'a, T> {
         for (k, row) in rows.iter().enumerate() {
             let s = first + k;
             self.stages.advance(argument, &self.values.x, h, row);
-            let point = LanePoint {
-                t: T::splat(self.tableau.c[s]).mul_add(h, t),
-                x: argument,
-                p: &self.values.p,
-                prepared: &self.values.prepared,
-            };
+            let time = T::splat(self.tableau.c[s]).mul_add(h, t);
+            let point = self.values.at(time, argument);
             let to = self.stages.stage_mut(s);
             self.rhs
                 .call(Function::Derivative, &point, &mut self.scratch, to);
@@ -317,12 +313,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
                 0 => (&self.within, 0.5),
                 _ => (&self.end, 1.0),
             };
-            let point = LanePoint {
-                t: T::splat(fraction).mul_add(h, t),
-                x,
-                p: &self.values.p,
-                prepared: &self.values.prepared,
-            };
+            let point = self.values.at(T::splat(fraction).mul_add(h, t), x);
             self.rhs
                 .call(Function::Limits, &point, &mut self.scratch, margins);
         }
@@ -385,12 +376,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
             times[lane] = just_after(&self.control.breaks[lane], self.control.t[lane]);
             self.control.begin_segment(lane);
         }
-        let point = LanePoint {
-            t: T::load(&times),
-            x: &self.values.x,
-            p: &self.values.p,
-            prepared: &self.values.prepared,
-        };
+        let point = self.values.at(T::load(&times), &self.values.x);
         let rates = &mut self.within;
         self.rhs
             .call(Function::Derivative, &point, &mut self.scratch, rates);

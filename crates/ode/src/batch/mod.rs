@@ -62,7 +62,7 @@ pub trait LaneRhs {
     fn time_breaks(&self, p: &[f64], breaks: &mut Vec<f64>) {
         let _ = (p, breaks);
     }
-    /// Levels of the arguments of switches, as [`OdeRhs::switches`](crate::OdeRhs::switches).
+    /// Levels of the arguments of switches, as [`RhsProperties::switches`](crate::RhsProperties::switches).
     fn switches(&self) -> &[Switch] {
         &[]
     }
@@ -72,7 +72,7 @@ pub trait LaneRhs {
         let _ = (at, scratch, to);
     }
     /// Writes bounds of the arguments of switches of a flight with the parameters `p`, as
-    /// [`OdeRhs::switch_bounds`](crate::OdeRhs::switch_bounds).
+    /// [`RhsProperties::switch_bounds`](crate::RhsProperties::switch_bounds).
     fn switch_bounds(
         &self,
         t: Enclosure,

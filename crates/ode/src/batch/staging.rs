@@ -28,6 +28,17 @@ impl<T: Lanes> LaneValues<T> {
         }
     }
 
+    /// The time `t` and the state `x` with these parameters and invariants.
+    #[inline(always)]
+    pub(crate) fn at<'a>(&'a self, t: T, x: &'a [T]) -> LanePoint<'a, T> {
+        LanePoint {
+            t,
+            x,
+            p: &self.p,
+            prepared: &self.prepared,
+        }
+    }
+
     /// Replaces the values of a SIMD lane by those of `from` if the element of the mask `keep` for this lane is 0.
     #[inline(always)]
     pub(crate) fn take(&mut self, keep: T, from: &LaneValues<T>) {

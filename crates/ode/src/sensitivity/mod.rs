@@ -7,14 +7,14 @@ mod projected;
 use self::jacobian_product::JacobianProduct;
 use self::projected::ProjectedSensitivities;
 use crate::projection::Projection;
-use crate::{AlignedVec, OdeRhs};
+use crate::{AlignedVec, OdeRhs, RhsProperties};
 use lanes::{Enclosure, Switch};
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
 /// Right-hand side f(t, x, p) with its sparse Jacobians J = ∂f/∂x and Jp = ∂f/∂p.
-pub trait DifferentiableRhs {
+pub trait DifferentiableRhs: RhsProperties {
     /// Number of states.
     fn states(&self) -> usize;
     /// Sparsity pattern of the Jacobian J = ∂f/∂x: (row, column) of each entry, ordered by row.
@@ -31,27 +31,6 @@ pub trait DifferentiableRhs {
         jacobian: &mut [f64],
         parameter_jacobian: &mut [f64],
     );
-    /// Projection onto what the equations keep, as [`OdeRhs::projection`].
-    fn projection(&self) -> Option<Projection>;
-    /// Times at which f may jump, as [`OdeRhs::time_breaks`].
-    fn time_breaks(&self) -> &[f64];
-    /// Levels of the arguments of switches, as [`OdeRhs::switches`].
-    fn switches(&self) -> Option<Arc<[Switch]>> {
-        None
-    }
-    /// Arguments of switches, as [`OdeRhs::switch_arguments`].
-    fn switch_arguments(&mut self, t: f64, x: &[f64], to: &mut [f64]) {
-        let _ = (t, x, to);
-    }
-    /// Bounds of the arguments of switches, as [`OdeRhs::switch_bounds`].
-    fn switch_bounds(&mut self, t: Enclosure, x: &[Enclosure], to: &mut [Enclosure]) -> bool {
-        let _ = (t, x, to);
-        false
-    }
-    /// Name of a state, used in error messages only.
-    fn state_name(&self, state: usize) -> Cow<'_, str> {
-        format!("state {state}").into()
-    }
 }
 
 /// Augmented right-hand side for the state x and its sensitivities S = ∂x/∂(initial states, parameters).
@@ -206,6 +185,12 @@ impl OdeRhs for Sensitivities<'_> {
         }
     }
 
+    fn error_controlled_len(&self) -> usize {
+        self.layout.states
+    }
+}
+
+impl RhsProperties for Sensitivities<'_> {
     fn projection(&self) -> Option<Projection> {
         let of_states = self.rhs.projection()?;
         Some(Arc::new(ProjectedSensitivities::new(
@@ -213,10 +198,6 @@ impl OdeRhs for Sensitivities<'_> {
             self.layout,
             &self.parameters,
         )))
-    }
-
-    fn error_controlled_len(&self) -> usize {
-        self.layout.states
     }
 
     fn time_breaks(&self) -> &[f64] {
@@ -227,9 +208,9 @@ impl OdeRhs for Sensitivities<'_> {
         self.rhs.switches()
     }
 
-    fn switch_arguments(&mut self, t: f64, augmented: &AlignedVec, to: &mut [f64]) {
-        let x = &augmented.as_ref()[..self.layout.states];
-        self.rhs.switch_arguments(t, x, to);
+    fn switch_arguments(&mut self, t: f64, augmented: &[f64], to: &mut [f64]) {
+        self.rhs
+            .switch_arguments(t, self.layout.state(augmented), to);
     }
 
     fn switch_bounds(&mut self, t: Enclosure, x: &[Enclosure], to: &mut [Enclosure]) -> bool {
@@ -279,13 +260,9 @@ mod tests {
                 *value = (i + 1) as f64;
             }
         }
-        fn projection(&self) -> Option<Projection> {
-            None
-        }
-        fn time_breaks(&self) -> &[f64] {
-            &[]
-        }
     }
+
+    impl RhsProperties for Numbered {}
 
     #[test]
     fn derivative_equals_plain_loops_for_any_number_of_columns() {

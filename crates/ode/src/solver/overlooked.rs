@@ -2,7 +2,7 @@
 
 use super::Solver;
 use crate::OdeRhs;
-use crate::dense_output::{DenseOutput, HermiteStep};
+use crate::dense_output::DenseOutput;
 use crate::switches::{Passed, Path, greatest, may_have_cells, overlooked};
 use crate::time_breaks::StepEnd;
 use lanes::{Enclosure, Switch};
@@ -44,21 +44,13 @@ impl<D: OdeRhs> Solver<'_, '_, D> {
     pub(super) fn overlooked(&mut self, end: StepEnd) -> Option<f64> {
         let watch = self.watch.as_mut()?;
         let (t, h) = (self.t, end.h);
-        let stepper = &self.stepper;
-        let step = HermiteStep {
-            t,
-            h,
-            x: &stepper.x,
-            dx: stepper.dx(),
-            x_end: stepper.x_end(),
-            dx_end: stepper.dx_end(),
-        };
+        let step = self.stepper.hermite(t, h);
         let (rhs, state) = (&mut *self.rhs, &mut self.scratch);
         let mut within = |s: f64, to: &mut [f64]| {
             for (i, x) in state.as_mut().iter_mut().enumerate() {
                 *x = step.component(i, s);
             }
-            rhs.switch_arguments(t + s * h, state, to);
+            rhs.switch_arguments(t + s * h, state.as_ref(), to);
         };
         let [first, middle, last] = &mut watch.points;
         if !watch.is_start_known {
@@ -128,7 +120,8 @@ impl<D: OdeRhs> Passed for OnPath<'_, D> {
         for (x, value) in self.state.as_mut().iter_mut().zip(self.path.state(s)) {
             *x = value;
         }
-        self.rhs.switch_arguments(self.path.time(s), self.state, to);
+        let (t, x) = (self.path.time(s), self.state.as_ref());
+        self.rhs.switch_arguments(t, x, to);
     }
 
     fn bounds(&mut self, part: (f64, f64), to: &mut [Enclosure]) -> bool {

@@ -2,7 +2,7 @@
 
 use crate::rhs;
 use ode::{
-    DifferentiableRhs, Event, IntegrationOptions, Method, Projection, Sensitivities, integrate,
+    DifferentiableRhs, Event, IntegrationOptions, Method, RhsProperties, Sensitivities, integrate,
     integrate_at,
 };
 
@@ -33,13 +33,9 @@ impl DifferentiableRhs for Oscillator {
         jacobian.copy_from_slice(&[1.0, -self.stiffness]);
         parameter_jacobian[0] = -x[0];
     }
-    fn projection(&self) -> Option<Projection> {
-        None
-    }
-    fn time_breaks(&self) -> &[f64] {
-        &[]
-    }
 }
+
+impl RhsProperties for Oscillator {}
 
 #[test]
 fn sensitivities_of_an_oscillator_equal_their_closed_form() {

@@ -1,7 +1,7 @@
 //! Sensitivities against closed forms and against flights that start a little elsewhere.
 
 use crate::rhs;
-use ode::{DifferentiableRhs, Projection, Sensitivities};
+use ode::{DifferentiableRhs, RhsProperties, Sensitivities};
 use ode::{IntegrationOptions, Method, integrate, integrate_at, integrate_with_callback};
 
 /// Driven pendulum with three parameters: stiffness, friction, and one on which the right-hand side does not depend.
@@ -35,13 +35,9 @@ impl DifferentiableRhs for Pendulum {
         by_state.copy_from_slice(&[1.0, -self.0[0] * x[0].cos(), -3.0 * self.0[1] * x[1] * x[1]]);
         by_constant.copy_from_slice(&[-x[0].sin(), -x[1].powi(3)]);
     }
-    fn projection(&self) -> Option<Projection> {
-        None
-    }
-    fn time_breaks(&self) -> &[f64] {
-        &[]
-    }
 }
+
+impl RhsProperties for Pendulum {}
 
 const P: [f64; 3] = [4.0, 0.1, 9.0];
 const X: [f64; 2] = [1.2, -0.7];

@@ -4,7 +4,6 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::Flying;
-use crate::batch::LanePoint;
 use crate::batch::control::MAX_LANES;
 use crate::batch::functions::{Function, LaneFunctions};
 use crate::batch::staging::{LaneValues, merge};
@@ -63,16 +62,12 @@ impl<T: Lanes> Flying<'_, T> {
                 let bent = (da - (b - a)) * r - (db - (b - a)) * s;
                 self.within[i] = a * r + b * s + s * r * bent;
             }
-            let point = LanePoint {
-                // The time at the end is, to the bit, that at the start of the next step.
-                t: match k {
-                    2 => T::load(&self.control.end),
-                    _ => T::splat(s).mul_add(h, t),
-                },
-                x: &self.within,
-                p: &self.values.p,
-                prepared: &self.values.prepared,
+            // The time at the end is, to the bit, that at the start of the next step.
+            let time = match k {
+                2 => T::load(&self.control.end),
+                _ => T::splat(s).mul_add(h, t),
             };
+            let point = self.values.at(time, &self.within);
             let to = &mut self.watch.points[k];
             self.rhs
                 .call(Function::Switches, &point, &mut self.scratch, to);
@@ -158,12 +153,7 @@ impl<T: Lanes> Passed for InLane<'_, T> {
         for (x, value) in self.state.iter_mut().zip(self.path.state(s)) {
             *x = T::splat(value);
         }
-        let point = LanePoint {
-            t: T::splat(self.path.time(s)),
-            x: self.state,
-            p: &self.values.p,
-            prepared: &self.values.prepared,
-        };
+        let point = self.values.at(T::splat(self.path.time(s)), self.state);
         self.rhs
             .call(Function::Switches, &point, self.scratch, self.within);
         for (to, value) in to.iter_mut().zip(&*self.within) {
@@ -183,12 +173,7 @@ impl<T: Lanes> Passed for InLane<'_, T> {
         for (x, value) in self.state.iter_mut().zip(&*self.of_lane) {
             *x = T::splat(*value);
         }
-        let point = LanePoint {
-            t: T::splat(t),
-            x: self.state,
-            p: &self.values.p,
-            prepared: &self.values.prepared,
-        };
+        let point = self.values.at(T::splat(t), self.state);
         self.rhs
             .call(Function::Derivative, &point, self.scratch, self.rates);
         *self.evaluations += 1;

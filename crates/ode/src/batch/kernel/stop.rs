@@ -7,7 +7,7 @@ use super::{EndState, Flying};
 use crate::batch::control::MAX_LANES;
 use crate::batch::events::HeightStep;
 use crate::batch::functions::Function;
-use crate::batch::{FlightOutcome, FlightQueue, LanePoint};
+use crate::batch::{FlightOutcome, FlightQueue};
 use crate::dense_output::DenseOutput;
 use crate::event::{REACH, falling_zeros};
 use crate::method::{Method, ROWS, dop853, tsit5};
@@ -170,12 +170,8 @@ impl<T: Lanes> Flying<'_, T> {
             for (to, value) in self.within.iter_mut().zip(&*state) {
                 *to = T::splat(*value);
             }
-            let point = LanePoint {
-                t: T::splat(step.t + s * step.h),
-                x: &self.within,
-                p: &self.values.p,
-                prepared: &self.values.prepared,
-            };
+            let time = T::splat(step.t + s * step.h);
+            let point = self.values.at(time, &self.within);
             self.rhs
                 .call(Function::Limits, &point, &mut self.scratch, margins);
             margins[limit].lane(lane)
