@@ -23,6 +23,24 @@ pub struct Loaded {
     pub sources: Vec<Source>,
 }
 
+impl Loaded {
+    /// The model, and the messages on its units.
+    ///
+    /// # Errors
+    /// [`LoadError::Faults`] if it has other errors.
+    pub fn model_and_messages(self) -> Result<(Model, Vec<String>), LoadError> {
+        let messages = self.diagnostics.iter().map(|fault| fault.message.clone());
+        let messages = messages.collect();
+        match self.model {
+            Some(model) => Ok((model, messages)),
+            None => Err(LoadError::Faults {
+                diagnostics: self.diagnostics,
+                sources: self.sources,
+            }),
+        }
+    }
+}
+
 /// Loads a model from a path or by the name of a built-in model; an existing file takes precedence. `with` lists the
 /// effects to apply, each by path or by name, as in [`ModelTree::find_effect`]: an effect of the model's file, a
 /// built-in effect, or an effect created from an equation `der(STATE) = …` of the model.
@@ -34,14 +52,9 @@ pub fn load(name_or_path: &str, with: &[&str]) -> Result<Model, LoadError> {
 /// Loads a model from text and applies the effects `with`; fails if any text has an error. Messages refer to the text
 /// as `name`. The files that the text names are read if `name` is the path of a file, beside it.
 pub fn from_text(name: &str, text: &str, with: &[&str]) -> Result<Model, LoadError> {
-    let loaded = inspect_text(name, text, with)?;
-    match loaded.model {
-        Some(model) if loaded.diagnostics.is_empty() => Ok(model),
-        _ => Err(LoadError::Faults {
-            diagnostics: loaded.diagnostics,
-            sources: loaded.sources,
-        }),
-    }
+    let mut loaded = inspect_text(name, text, with)?;
+    loaded.model.take_if(|_| !loaded.diagnostics.is_empty());
+    Ok(loaded.model_and_messages()?.0)
 }
 
 /// Loads a model and applies the effects `with`, as [`load`](load()) does, but returns the model's errors as

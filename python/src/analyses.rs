@@ -263,14 +263,8 @@ pub fn bootstrap(
 }
 
 fn refitted(summary: &serde_json::Value, table: String) -> Report {
-    let json = format!("{summary:#}\n");
-    let files = vec![
-        ResultFile::new("refits.csv", table),
-        ResultFile::new("summary.json", json.clone()),
-    ];
-    Report {
-        json,
-        text: program::bootstrap::text(summary),
-        files,
-    }
+    let text = program::bootstrap::text(summary);
+    let mut report = Report::of_json("summary.json", format!("{summary:#}\n"), text);
+    report.files.insert(0, ResultFile::new("refits.csv", table));
+    report
 }

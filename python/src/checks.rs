@@ -3,9 +3,7 @@
 use std::sync::Arc;
 
 use ::verify::difference::{compare, landing_of_text, operations};
-use flight::files::ResultFile;
-use model_spec::LoadError;
-use model_spec::load::{inspect, inspect_text};
+use model_spec::load::{Loaded, inspect, inspect_text};
 use model_spec::model::Model as Checked;
 use pyo3::prelude::*;
 
@@ -41,12 +39,7 @@ pub fn verify(
         let mut value = serde_json::to_value(&report)?;
         value["outcome"] = serde_json::to_value(report.outcome())?;
         let json = format!("{value:#}\n");
-        let files = vec![ResultFile::new("verification.json", json.clone())];
-        Ok(Report {
-            json,
-            text: report.table(),
-            files,
-        })
+        Ok(Report::of_json("verification.json", json, report.table()))
     })?;
     found.map_err(raise)
 }
@@ -71,19 +64,8 @@ impl Compared<'_> {
             true => inspect_text("<text>", source, &[]),
             false => inspect(source, &[]),
         };
-        let loaded = loaded.map_err(raise)?;
-        let faults = loaded.diagnostics.iter().map(|fault| fault.message.clone());
-        let faults = faults.collect();
-        match loaded.model {
-            Some(model) => Ok((Arc::new(model), faults)),
-            None => {
-                let (diagnostics, sources) = (loaded.diagnostics, loaded.sources);
-                Err(raise(LoadError::Faults {
-                    diagnostics,
-                    sources,
-                }))
-            }
-        }
+        let loaded = loaded.and_then(Loaded::model_and_messages).map_err(raise)?;
+        Ok((Arc::new(loaded.0), loaded.1))
     }
 }
 
@@ -106,12 +88,7 @@ pub fn diff(
         difference.operations = operations(&old, &new);
         difference.landings = landings;
         let json = serde_json::to_string_pretty(&difference)? + "\n";
-        let files = vec![ResultFile::new("difference.json", json.clone())];
-        Ok(Report {
-            json,
-            text: difference.text(),
-            files,
-        })
+        Ok(Report::of_json("difference.json", json, difference.text()))
     })?;
     found.map_err(raise)
 }

@@ -45,8 +45,7 @@ impl<'m, 'py> Evaluation<'m, 'py> {
         let x = rows(x, "x", &model.layout.states)?;
         let functions = model.functions();
         let own = p.map(|p| model.vector_of(p)).transpose()?.map(|p| {
-            let mut prepared = vec![0.0; functions.prepared_len()];
-            functions.prepare(&p, &mut prepared);
+            let prepared = functions.prepared(&p);
             (p, prepared)
         });
         Ok(Evaluation {

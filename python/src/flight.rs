@@ -90,7 +90,7 @@ fn set(release: &mut Release, model: &Checked, values: Vec<(String, f64)>) -> Py
             release.coefficients.push((name, value));
             continue;
         }
-        if let Some(component) = component(release, model, &name) {
+        if let Some(component) = release.component_of_input(&name, model) {
             *component = value;
             continue;
         }
@@ -113,22 +113,6 @@ fn set(release: &mut Release, model: &Checked, values: Vec<(String, f64)>) -> Py
         Some(fault) => Err(input(fault)),
         None => Ok(()),
     }
-}
-
-/// Component of an input of the model by its name, such as `wind_x`, in a release.
-fn component<'r>(release: &'r mut Release, model: &Checked, name: &str) -> Option<&'r mut f64> {
-    let (input, axis) = name.rsplit_once('_')?;
-    let axis = AXES.iter().position(|own| *own == axis)?;
-    let input = model.inputs.iter().find(|own| own.name == input)?;
-    if input.name == "wind" {
-        return Some(&mut release.wind[axis]);
-    }
-    let stated = release.known.iter().position(|(own, _)| *own == input.name);
-    let at = stated.unwrap_or_else(|| {
-        release.known.push((input.name.clone(), input.value));
-        release.known.len() - 1
-    });
-    Some(&mut release.known[at].1[axis])
 }
 
 fn stop(until: &Bound<'_, PyAny>) -> PyResult<Stop> {

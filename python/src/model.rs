@@ -117,10 +117,7 @@ impl Model {
     pub fn compiled(&self) -> &Compiled {
         self.compiled.get_or_init(|| {
             let model = Arc::new(CompiledModel::new(&self.checked));
-            let mut prepared = vec![0.0; model.functions().prepared_len()];
-            model
-                .functions()
-                .prepare(&self.layout.defaults, &mut prepared);
+            let prepared = model.functions().prepared(&self.layout.defaults);
             Compiled { model, prepared }
         })
     }

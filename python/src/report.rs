@@ -18,6 +18,17 @@ pub struct Report {
     pub files: Vec<ResultFile>,
 }
 
+impl Report {
+    /// Report whose one file is its JSON.
+    pub fn of_json(file: &str, json: String, text: String) -> Report {
+        Report {
+            files: vec![ResultFile::new(file, json.clone())],
+            json,
+            text,
+        }
+    }
+}
+
 #[pymethods]
 impl Report {
     fn report_json(&self) -> &str {

@@ -1,8 +1,6 @@
 //! Command `hyzer diff`: prints the effect of a change of a model.
 
-use model_spec::LoadError;
 use model_spec::load::inspect;
-use model_spec::model::Model;
 use verify::difference::{compare, landing, operations};
 
 use crate::cli::Diff;
@@ -11,8 +9,8 @@ use crate::{Answer, output};
 /// Runs `hyzer diff`. `Answer::No` if two models differ in a time derivative, the measurement equation or a limit.
 pub(super) fn run(options: &Diff) -> anyhow::Result<Answer> {
     let with = super::names(&options.with);
-    let ((old, old_faults), (new, new_faults)) =
-        (model(&options.old, &with)?, model(&options.new, &with)?);
+    let (old, old_faults) = inspect(&options.old, &with)?.model_and_messages()?;
+    let (new, new_faults) = inspect(&options.new, &with)?.model_and_messages()?;
     let landings = options.release.iter();
     let landings = landings.map(|release| landing(release, &old, &new));
     let landings = landings.collect::<Result<Vec<_>, _>>()?;
@@ -26,16 +24,4 @@ pub(super) fn run(options: &Diff) -> anyhow::Result<Answer> {
         difference.text()
     })?;
     Ok(Answer::of(!difference.is_changed()))
-}
-
-/// Loads a model; also returns the messages on inconsistent units.
-fn model(wanted: &str, with: &[&str]) -> anyhow::Result<(Model, Vec<String>)> {
-    let loaded = inspect(wanted, with)?;
-    let faults = loaded.diagnostics.iter().map(|d| d.message.clone());
-    let faults = faults.collect();
-    let model = loaded.model.ok_or(LoadError::Faults {
-        diagnostics: loaded.diagnostics,
-        sources: loaded.sources,
-    })?;
-    Ok((model, faults))
 }

@@ -268,7 +268,7 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
     if vocabulary.is_computed(name) {
         bail!("--set: {name} is computed from other parameters; set those");
     }
-    if let Some(component) = component_of_input(name, model, release) {
+    if let Some(component) = release.component_of_input(name, model) {
         *component = value;
         return Ok(());
     }
@@ -284,25 +284,6 @@ fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> 
     };
     *state = value;
     Ok(())
-}
-
-/// Value of the component of a vector input that is called `name`, such as `wind_x`, in a release.
-fn component_of_input<'r>(
-    name: &str,
-    model: &Model,
-    release: &'r mut Release,
-) -> Option<&'r mut f64> {
-    let (input, axis) = name.rsplit_once('_')?;
-    let axis = ["x", "y", "z"].iter().position(|own| *own == axis)?;
-    let input = model.inputs.iter().find(|own| own.name == input)?;
-    if input.name == "wind" {
-        return Some(&mut release.wind[axis]);
-    }
-    if !release.known.iter().any(|(own, _)| *own == input.name) {
-        release.known.push((input.name.clone(), input.value));
-    }
-    let known = release.known.iter_mut().find(|(own, _)| *own == input.name);
-    known.map(|(_, vector)| &mut vector[axis])
 }
 
 fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory, units: Units) -> String {

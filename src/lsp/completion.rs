@@ -53,8 +53,12 @@ pub fn complete(document: &Document, project: &Project<'_>, position: &Value) ->
     let is_of_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\u{307}' | '\u{308}');
     let before = before.trim_end_matches(is_of_word);
     let of_kinds = |kinds: &[SymbolKind]| names(project, at, |kind| kinds.contains(&kind));
-    match place(before) {
-        Place::Nothing => json!([]),
+    let of_expression = || {
+        let names = names(project, at, |kind| !is_heading(kind));
+        [names, of_bodies(project), words(&built_in(), 3)].concat()
+    };
+    let items = match place(before) {
+        Place::Nothing => Vec::new(),
         Place::Statement => {
             let block = block(before);
             let inside = statements_of(block);
@@ -63,48 +67,36 @@ pub fn complete(document: &Document, project: &Project<'_>, position: &Value) ->
             let mut items = words(&own, 14);
             if block == "solve" {
                 // An equation begins with any name.
-                items.extend(names(project, at, |kind| !is_heading(kind)));
-                items.extend(of_bodies(project));
-                items.extend(words(&built_in(), 3));
+                items.extend(of_expression());
             }
-            Value::Array(items)
+            items
         }
-        Place::Unit => Value::Array(units()),
+        Place::Unit => units(),
         Place::Type => {
-            let mut items = words(&[("vector", "vector UNIT in FRAME", "a vector")], 14);
-            items.extend(units());
-            Value::Array(items)
+            let vector = words(&[("vector", "vector UNIT in FRAME", "a vector")], 14);
+            [vector, units()].concat()
         }
-        Place::Frame => {
-            let frames = of_kinds(&[SymbolKind::Frame]);
-            Value::Array(frames)
-        }
-        Place::Turn => Value::Array(keywords(&["turned", "by"])),
-        Place::Quaternion => Value::Array(keywords(&["quaternion"])),
-        Place::Given => Value::Array(of_kinds(&GIVEN)),
+        Place::Frame => of_kinds(&[SymbolKind::Frame]),
+        Place::Turn => keywords(&["turned", "by"]),
+        Place::Quaternion => keywords(&["quaternion"]),
+        Place::Given => of_kinds(&GIVEN),
         Place::Computed => {
-            let mut items = of_kinds(&[SymbolKind::Quantity, SymbolKind::Unknown]);
-            items.extend(keywords(&["der"]));
-            Value::Array(items)
+            let names = of_kinds(&[SymbolKind::Quantity, SymbolKind::Unknown]);
+            [names, keywords(&["der"])].concat()
         }
         Place::Part => {
-            let parts = ["1", "2", "3"];
-            parts
-                .map(|part| json!({ "label": part, "kind": 5 }))
-                .into_iter()
-                .collect()
+            let part = |part| json!({ "label": part, "kind": 5 });
+            ["1", "2", "3"].map(part).into()
         }
-        Place::Load => Value::Array(of_kinds(&[SymbolKind::Force, SymbolKind::Moment])),
+        Place::Load => of_kinds(&[SymbolKind::Force, SymbolKind::Moment]),
         Place::Expression => {
-            let mut items = names(project, at, |kind| !is_heading(kind));
-            items.extend(of_bodies(project));
-            items.extend(words(&built_in(), 3));
-            items.extend(changes_of_frame(project, at));
-            items.extend(words(&inner(), 14));
+            let frames = changes_of_frame(project, at);
+            let mut items = [of_expression(), frames, words(&inner(), 14)].concat();
             items.retain(|own| own["label"] != "in_");
-            Value::Array(items)
+            items
         }
-    }
+    };
+    Value::Array(items)
 }
 
 /// What a case sets.

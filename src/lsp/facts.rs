@@ -32,6 +32,16 @@ pub struct Facts {
     pub formula: String,
 }
 
+impl Facts {
+    fn new(of: impl Into<String>, value: impl Into<String>) -> Facts {
+        Facts {
+            of: of.into(),
+            value: value.into(),
+            formula: String::new(),
+        }
+    }
+}
+
 /// What a model says about a parameter, coefficient, input, state, table, marker or named quantity.
 pub fn of_value(model: &Model, name: &str) -> Option<Facts> {
     let found = |own: &&Parameter| own.name == name;
@@ -40,41 +50,26 @@ pub fn of_value(model: &Model, name: &str) -> Option<Facts> {
         return Some(of_parameter(own));
     }
     if let Some(own) = model.states.iter().find(|own| own.name == name) {
-        return Some(Facts {
-            of: own.unit_text.clone(),
-            value: with_unit(own.value, &own.unit_text),
-            ..Facts::default()
-        });
+        let unit = &own.unit_text;
+        return Some(Facts::new(unit, with_unit(own.value, unit)));
     }
     if let Some(own) = model.inputs.iter().find(|own| own.name == name) {
         let ([x, y, z], unit) = (own.value.map(rounded), &own.unit_text);
-        return Some(Facts {
-            of: format!("vector {unit} in {}", frame(model, own.frame)),
-            value: format!("({x}, {y}, {z}) {unit}"),
-            ..Facts::default()
-        });
+        let of = format!("vector {unit} in {}", frame(model, own.frame));
+        return Some(Facts::new(of, format!("({x}, {y}, {z}) {unit}")));
     }
     if let Some(own) = model.marker.as_ref().filter(|own| own.name == name) {
-        return Some(Facts {
-            of: format!("vector m in {}", frame(model, own.frame)),
-            ..Facts::default()
-        });
+        let of = format!("vector m in {}", frame(model, own.frame));
+        return Some(Facts::new(of, ""));
     }
     let own = model.aux_variables.iter().rfind(|own| own.name == name)?;
-    Some(Facts {
-        of: shape(model, &own.value),
-        ..Facts::default()
-    })
+    Some(Facts::new(shape(model, &own.value), ""))
 }
 
 /// What a model says about an array: unit and frame of its first element.
 pub fn of_array(model: &Model, name: &str) -> Option<Facts> {
     let first = elements(model, name).next()?;
-    let of = of_value(model, first)?.of;
-    Some(Facts {
-        of,
-        ..Facts::default()
-    })
+    Some(Facts::new(of_value(model, first)?.of, ""))
 }
 
 /// Names of the elements of an array, in order.
@@ -191,20 +186,13 @@ pub fn of_frame(model: &Model, name: &str) -> Option<Facts> {
             )
         }
     };
-    Some(Facts {
-        value,
-        ..Facts::default()
-    })
+    Some(Facts::new("", value))
 }
 
 /// What a model says about a table.
 pub fn of_table(model: &Model, name: &str) -> Option<Facts> {
     let own: &Table = model.tables.iter().find(|own| own.name == name)?;
-    Some(Facts {
-        of: own.unit_text.clone(),
-        value: model_spec::knots(own),
-        formula: String::new(),
-    })
+    Some(Facts::new(&own.unit_text, model_spec::knots(own)))
 }
 
 fn of_parameter(own: &Parameter) -> Facts {
@@ -213,11 +201,7 @@ fn of_parameter(own: &Parameter) -> Facts {
         value += &format!(" in {} .. {}", rounded(least), rounded(greatest));
     }
     let inferred = if own.inferred { " (inferred)" } else { "" };
-    Facts {
-        of: format!("{}{inferred}", own.unit_text),
-        value,
-        formula: String::new(),
-    }
+    Facts::new(format!("{}{inferred}", own.unit_text), value)
 }
 
 fn frame(model: &Model, index: usize) -> &str {

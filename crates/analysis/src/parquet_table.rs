@@ -1,12 +1,13 @@
 //! Tables of columns as Parquet.
 
+use std::io::Write;
 use std::sync::Arc;
 
 use parquet::basic::{LogicalType, Repetition, Type as PhysicalType};
-use parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
+use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType};
 use parquet::errors::ParquetError;
 use parquet::file::properties::WriterProperties;
-use parquet::file::writer::SerializedFileWriter;
+use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
 
 /// Cells of a column; `None` for an empty one.
@@ -60,29 +61,34 @@ pub fn parquet_table(columns: &[(String, Cells)]) -> Result<Vec<u8>, ParquetErro
     let mut writer = SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties))?;
     let mut group = writer.next_row_group()?;
     for (_, cells) in columns {
-        let Some(mut column) = group.next_column()? else {
-            break;
-        };
         match cells {
             Cells::Numbers(cells) => {
                 let (values, levels) = present(cells);
-                let column = column.typed::<DoubleType>();
-                column.write_batch(&values, Some(&levels), None)?;
+                write_column::<DoubleType, _>(&mut group, &values, Some(&levels))?;
             }
             Cells::Texts(cells) => {
                 let (texts, levels) = present(cells);
-                let texts: Vec<ByteArray> = texts
-                    .iter()
-                    .map(|text| ByteArray::from(text.as_str()))
-                    .collect();
-                let column = column.typed::<ByteArrayType>();
-                column.write_batch(&texts, Some(&levels), None)?;
+                let texts = texts.iter().map(|text| ByteArray::from(text.as_str()));
+                let texts: Vec<ByteArray> = texts.collect();
+                write_column::<ByteArrayType, _>(&mut group, &texts, Some(&levels))?;
             }
         }
-        column.close()?;
     }
     group.close()?;
     writer.into_inner()
+}
+
+/// Writes the next column of a group, with the definition levels of its cells if they may be empty.
+pub(crate) fn write_column<T: DataType, W: Write + Send>(
+    group: &mut SerializedRowGroupWriter<'_, W>,
+    values: &[T::T],
+    levels: Option<&[i16]>,
+) -> Result<(), ParquetError> {
+    if let Some(mut column) = group.next_column()? {
+        column.typed::<T>().write_batch(values, levels, None)?;
+        column.close()?;
+    }
+    Ok(())
 }
 
 /// The cells that are not empty, and for each cell the definition level of Parquet: 1, or 0 if it is empty.

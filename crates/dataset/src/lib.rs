@@ -232,10 +232,11 @@ fn assemble<'t>(
 ) -> Result<Dataset, InputError> {
     let (mut flights, mut paths) = (Vec::with_capacity(manifest.flights.len()), Vec::new());
     let mut rounded: Vec<(String, f64)> = Vec::new();
-    let names = manifest.markers.iter().map(|marker| marker.name.as_str());
+    let mut dataset = manifest.dataset;
+    let names = dataset.markers.iter().map(|marker| marker.name.as_str());
     let names: Vec<&str> = names.collect();
-    let (recording, sensors) = (&manifest.recording, &manifest.sensors[..]);
-    let interpolation = manifest.input_interpolation;
+    let (recording, sensors) = (&manifest.recording, &dataset.sensors[..]);
+    let interpolation = dataset.input_interpolation;
     let tables = parallel::each_on(threads, manifest.flights.len(), |index| {
         let entry = &manifest.flights[index];
         let (path, bytes, is_c3d) = read(&entry.file)?;
@@ -288,40 +289,24 @@ fn assemble<'t>(
         });
     }
     let notes = manifest.summaries.iter().flat_map(|own| own.notes.clone());
-    let notes = notes.chain(even_times::note(&rounded));
-    let notes: Vec<String> = notes.collect();
-    let (mut markers, mut sensors) = (manifest.markers, manifest.sensors);
-    let rows = summary_flights(&manifest.summaries, markers.len(), &mut sensors, &read)?;
-    fill_readings(&mut flights, &sensors);
+    dataset.notes = notes.chain(even_times::note(&rounded)).collect();
+    let (markers, sensors) = (&mut dataset.markers, &mut dataset.sensors);
+    let rows = summary_flights(&manifest.summaries, markers.len(), sensors, &read)?;
+    fill_readings(&mut flights, sensors);
     for (path, flight) in rows {
         paths.push(path);
         flights.push(flight);
     }
-    let unknown_vertical = manifest.recording.up == recording::Up::Unknown;
-    let unplaced = (&manifest.unplaced[..], !unknown_vertical);
-    let estimated = unplaced::estimate_positions(&mut markers, unplaced, &mut sensors, &flights)?;
-    let estimated = estimated.as_ref();
-    for (path, flight) in paths.iter().zip(&flights) {
-        samples::check_flight(path, flight, &markers)?;
+    dataset.unknown_vertical = manifest.recording.up == recording::Up::Unknown;
+    let unplaced = (&manifest.unplaced[..], !dataset.unknown_vertical);
+    if let Some(found) = unplaced::estimate_positions(markers, unplaced, sensors, &flights)? {
+        dataset.origin_error.get_or_insert(found.origin_error());
+        dataset.axis_error.get_or_insert(found.axis_error());
     }
-    Ok(Dataset {
-        model: manifest.model,
-        parameters: manifest.parameters,
-        markers,
-        sensors,
-        unknown_vertical,
-        origin_error: manifest
-            .origin_error
-            .or(estimated.map(takes::EstimatedTemplate::origin_error)),
-        axis_error: manifest
-            .axis_error
-            .or(estimated.map(takes::EstimatedTemplate::axis_error)),
-        sigma: manifest.sigma,
-        unknown: manifest.unknown,
-        input_interpolation: interpolation,
-        notes,
-        flights,
-    })
+    for (path, flight) in paths.iter().zip(&flights) {
+        samples::check_flight(path, flight, markers)?;
+    }
+    Ok(Dataset { flights, ..dataset })
 }
 
 /// Flights that are rows of tables of summaries, each with its table's path; adds their columns to `sensors` once.

@@ -15,7 +15,7 @@ use super::stated::Stated;
 use super::summary_columns::SummariesEntry;
 use super::unplaced::Unplaced;
 use super::words::{meant, shown};
-use super::{KnownValue, Marker, Role, Sensor, file, names};
+use super::{Dataset, KnownValue, Marker, Role, file, names};
 use crate::input_error::InputError;
 use crate::pose::distance;
 
@@ -33,20 +33,14 @@ const MAX_AXIS_ERROR: f64 = 0.5;
 
 #[derive(Debug, PartialEq)]
 pub(super) struct Manifest {
-    pub model: String,
+    /// What it states of the dataset, without flights.
+    pub dataset: Dataset,
+    /// Units and axes of the files.
     pub recording: Recording,
-    /// Standard errors of the origin of the markers' positions along the body axes, m.
-    pub origin_error: Option<[f64; 3]>,
-    /// Standard error of the direction of the third body axis relative to the markers, rad.
-    pub axis_error: Option<f64>,
-    pub parameters: BTreeMap<String, f64>,
-    pub markers: Vec<Marker>,
+    /// Markers whose positions are to be estimated.
     pub unplaced: Vec<Unplaced>,
-    pub sensors: Vec<Sensor>,
-    pub sigma: Option<f64>,
-    pub unknown: Vec<String>,
-    pub input_interpolation: InputInterpolation,
     pub flights: Vec<FlightEntry>,
+    /// Tables of summaries.
     pub summaries: Vec<SummariesEntry>,
 }
 
@@ -106,32 +100,26 @@ impl Fields<'_> {
             "summaries",
         ];
         self.keys(document, "", &KEYS)?;
-        let model = self.model(document)?;
-        let parameters = self.parameters(document)?;
+        let mut dataset = Dataset {
+            model: self.model(document)?,
+            parameters: self.parameters(document)?,
+            ..Dataset::default()
+        };
         let mut unplaced = Vec::new();
-        let mut markers = self.markers(document, &mut unplaced)?;
-        let mut sigma = self.sigma(document)?;
-        let sensors = self.sensors(document, (&mut markers, &mut unplaced), &mut sigma)?;
-        let recording = Recording::read(self, document, &sensors)?;
-        let (origin_error, axis_error) = self.template_errors(document)?;
-        let unknown = self.unknown(document)?;
-        let input_interpolation = self.interpolation(document)?;
-        let flights = self.flights(document)?;
-        let summaries = self.summaries(document)?;
+        dataset.markers = self.markers(document, &mut unplaced)?;
+        dataset.sigma = self.sigma(document)?;
+        let markers = (&mut dataset.markers, &mut unplaced);
+        dataset.sensors = self.sensors(document, markers, &mut dataset.sigma)?;
+        let recording = Recording::read(self, document, &dataset.sensors)?;
+        (dataset.origin_error, dataset.axis_error) = self.template_errors(document)?;
+        dataset.unknown = self.unknown(document)?;
+        dataset.input_interpolation = self.interpolation(document)?;
         Ok(Manifest {
-            model,
+            dataset,
             recording,
-            origin_error,
-            axis_error,
-            parameters,
-            markers,
             unplaced,
-            sensors,
-            sigma,
-            unknown,
-            input_interpolation,
-            flights,
-            summaries,
+            flights: self.flights(document)?,
+            summaries: self.summaries(document)?,
         })
     }
 

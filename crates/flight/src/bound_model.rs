@@ -26,8 +26,6 @@ impl CompiledModel {
         let constraints = self.constraints.as_ref();
         let constraints = constraints.map(|own| Arc::new(own.bind(parameters.constants.clone())));
         let FlightParameters { constants, inputs } = parameters;
-        let mut prepared = vec![0.0; self.functions.prepared_len()];
-        self.functions.prepare(&constants, &mut prepared);
         let mut time_breaks = self.time_breaks.at(&constants);
         time_breaks.extend(inputs.breaks(&constants));
         time_breaks.sort_unstable_by(f64::total_cmp);
@@ -37,8 +35,8 @@ impl CompiledModel {
             constraints,
             time_breaks,
             inputs: inputs.with_parameters(&constants),
+            prepared: self.functions.prepared(&constants),
             parameters: constants,
-            prepared,
         }
     }
 }

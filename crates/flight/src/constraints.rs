@@ -94,12 +94,10 @@ impl Constraints {
 
     /// Binds the constraints to values of the model's parameters.
     pub fn bind(self: &Arc<Self>, parameters: Vec<f64>) -> BoundConstraints {
-        let mut prepared = vec![0.0; self.functions.prepared_len()];
-        self.functions.prepare(&parameters, &mut prepared);
         BoundConstraints {
             constraints: Arc::clone(self),
+            prepared: self.functions.prepared(&parameters),
             parameters,
-            prepared,
         }
     }
 }

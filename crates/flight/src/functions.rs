@@ -35,14 +35,6 @@ pub struct SparsityPatterns {
 }
 
 impl ModelFunctions {
-    /// Number of invariants (values that depend on the parameters alone) that `prepare` computes.
-    pub fn prepared_len(&self) -> usize {
-        match self {
-            Self::Generated(code) => code.prepared.len(),
-            Self::Tape(tape) => tape.prepared,
-        }
-    }
-
     /// Sparsity patterns of the Jacobians that the functions compute.
     pub fn patterns(&self) -> SparsityPatterns {
         let [j, jp, dy_dx, dy_dp, dy_dmarker] = match self {
@@ -74,11 +66,15 @@ impl ModelFunctions {
         }
     }
 
-    /// Computes the invariants from the parameters `p`.
-    pub fn prepare(&self, p: &[f64], prepared: &mut [f64]) {
+    /// The invariants: values that depend only on the parameters `p`.
+    pub fn prepared(&self, p: &[f64]) -> Vec<f64> {
         match self {
-            Self::Generated(code) => (code.prepare)(p, prepared),
-            Self::Tape(tape) => prepared.copy_from_slice(&tape.prepare(p)),
+            Self::Generated(code) => {
+                let mut prepared = vec![0.0; code.prepared.len()];
+                (code.prepare)(p, &mut prepared);
+                prepared
+            }
+            Self::Tape(tape) => tape.prepare(p),
         }
     }
 

@@ -81,6 +81,22 @@ impl Release {
         })
     }
 
+    /// Value of the component of a vector input of the model that is called `name`, such as `wind_x`.
+    #[doc(hidden)]
+    pub fn component_of_input(&mut self, name: &str, model: &Model) -> Option<&mut f64> {
+        let (input, axis) = name.rsplit_once('_')?;
+        let axis = ["x", "y", "z"].iter().position(|own| *own == axis)?;
+        let input = model.inputs.iter().find(|own| own.name == input)?;
+        if input.name == "wind" {
+            return Some(&mut self.wind[axis]);
+        }
+        if !self.known.iter().any(|(own, _)| *own == input.name) {
+            self.known.push((input.name.clone(), input.value));
+        }
+        let known = self.known.iter_mut().find(|(own, _)| *own == input.name);
+        known.map(|(_, vector)| &mut vector[axis])
+    }
+
     /// Replaces the initial value (SI) of a state; a name that is not a state is ignored.
     pub fn with_initial(mut self, state: &str, value: f64) -> Release {
         let states = self.initial.iter_mut();

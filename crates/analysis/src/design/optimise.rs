@@ -117,13 +117,18 @@ fn meet_from(problem: Problem<'_>, start: Arrival, most: usize) -> Arrival {
         if ratio > 1e-3 {
             (at, values) = (there, new);
         }
-        if ratio < 0.25 {
-            trust = 0.35 * longest;
-        } else if ratio > 0.7 && longest > 0.9 * trust {
-            trust = (2.0 * trust).min(1.0);
-        }
+        trust = resized(trust, ratio, longest);
     }
     Arrival { at, values }
+}
+
+/// Radius of the trust region after a step of the size `longest` that gained the part `ratio` of what was predicted.
+fn resized(trust: f64, ratio: f64, longest: f64) -> f64 {
+    match ratio {
+        _ if ratio < 0.25 => 0.35 * longest,
+        _ if ratio > 0.7 && longest > 0.9 * trust => (2.0 * trust).min(1.0),
+        _ => trust,
+    }
 }
 
 /// Gauss–Newton approximation of the Hessian, and the gradient, of half the squared violation of the constraints.
@@ -186,11 +191,7 @@ pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
         if ratio > 1e-3 {
             now = new;
         }
-        if ratio < 0.25 {
-            trust = 0.35 * longest;
-        } else if ratio > 0.7 && longest > 0.9 * trust {
-            trust = (2.0 * trust).min(1.0);
-        }
+        trust = resized(trust, ratio, longest);
     }
     Some(now)
 }

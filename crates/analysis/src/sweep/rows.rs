@@ -143,17 +143,6 @@ impl Flier<'_> {
             position: self.position,
         };
         self.model.fly(&mut flown, &self.span, &plan.options, None);
-        let Part {
-            axes,
-            states,
-            start,
-            time,
-            apex_time,
-            apex,
-            steps,
-            status,
-            ..
-        } = flown;
         let mut columns = Vec::new();
         let mut add = |name: &str, is_input, values| {
             columns.push(Column {
@@ -163,31 +152,32 @@ impl Flier<'_> {
             });
         };
         let motion = self.observer.map(|observer| {
-            let varied = plan.axes.iter().zip(&axes);
+            let varied = plan.axes.iter().zip(&flown.axes);
             let varied = varied.filter_map(|(axis, values)| match axis.target {
                 Target::Parameter(index) => Some((index, values.as_slice())),
                 _ => None,
             });
             let varied: Vec<(usize, &[f64])> = varied.collect();
-            observer.observe(&states, self.inputs.parameters(), &varied)
+            observer.observe(&flown.states, self.inputs.parameters(), &varied)
         });
-        for (axis, values) in plan.axes.iter().zip(axes) {
+        for (axis, values) in plan.axes.iter().zip(flown.axes) {
             add(&axis.name, true, values);
         }
-        add("landing_t", false, time);
+        add("landing_t", false, flown.time);
         for (name, state) in ["landing_x", "landing_y", "landing_z"]
             .into_iter()
             .zip(self.position)
         {
             if let Some(state) = state {
-                add(name, false, states[state].clone());
+                add(name, false, flown.states[state].clone());
             }
         }
         if self.span.height.is_some() {
-            add("apex_t", false, apex_time);
-            add("apex_z", false, apex);
+            add("apex_t", false, flown.apex_time);
+            add("apex_z", false, flown.apex);
         }
         if let [Some(x), Some(y), _] = self.position {
+            let (states, start) = (&flown.states, &flown.start);
             let range = (0..len).map(|k| {
                 let (dx, dy) = (states[x][k] - start[0][k], states[y][k] - start[1][k]);
                 (dx * dx + dy * dy).sqrt()
@@ -200,11 +190,11 @@ impl Flier<'_> {
                 add("final_spin", false, spin);
             }
         }
-        add("steps", false, steps);
+        add("steps", false, flown.steps);
         Rows {
             first,
             columns,
-            status,
+            status: flown.status,
         }
     }
 }

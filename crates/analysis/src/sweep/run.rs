@@ -52,6 +52,13 @@ pub enum SweepError {
     },
 }
 
+impl SweepError {
+    fn of_table(path: &Path) -> impl FnOnce(ParquetError) -> SweepError {
+        let path = path.to_path_buf();
+        |source| SweepError::Table { path, source }
+    }
+}
+
 /// Options of a sweep; none of them affects the results.
 #[derive(Clone, Copy)]
 pub struct SweepOptions<'a> {
@@ -147,7 +154,7 @@ pub fn run(
             return Ok(None);
         }
         let rows = flier.fly(part);
-        table::write(&path, &rows).map_err(|source| SweepError::Table { path, source })?;
+        table::write(&path, &rows).map_err(SweepError::of_table(&path))?;
         Ok(Some(Summary::of(&rows, end)))
     };
     let summary = in_order(parts, options, plan, &work)?;
@@ -156,10 +163,7 @@ pub fn run(
     };
     let flights = folder.file(FLIGHTS);
     let files = (0..count).map(|part| folder.part(part, "parquet"));
-    table::join(&flights, files).map_err(|source| SweepError::Table {
-        path: flights,
-        source,
-    })?;
+    table::join(&flights, files).map_err(SweepError::of_table(&flights))?;
     let mut json = summary.json(plan);
     folder.write_summary(&mut json)?;
     finish(&folder, plan, options, json).map(Some)
@@ -171,8 +175,7 @@ pub fn run(
 /// [`SweepError::Table`] if the table of flights cannot be read.
 pub fn landings(plan: &Plan, out: &Path, most: usize) -> Result<Vec<[f64; 2]>, SweepError> {
     let path = out.join(FLIGHTS);
-    table::landings(&path, plan.axes.len(), most)
-        .map_err(|source| SweepError::Table { path, source })
+    table::landings(&path, plan.axes.len(), most).map_err(SweepError::of_table(&path))
 }
 
 /// Removes the files of the parts, and writes the CSV if requested.
@@ -185,8 +188,8 @@ fn finish(
     folder.discard_parts();
     let path = folder.file("flights.csv");
     if options.csv && !path.is_file() {
-        table::to_csv(&folder.file(FLIGHTS), &path, plan.axes.len())
-            .map_err(|source| SweepError::Table { path, source })?;
+        let table = folder.file(FLIGHTS);
+        table::to_csv(&table, &path, plan.axes.len()).map_err(SweepError::of_table(&path))?;
     }
     Ok(summary)
 }

@@ -15,6 +15,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, PrimitiveTypeBuilder, Type};
 
+use crate::parquet_table::write_column;
 use crate::sweep::rows::{Column, Rows, STATUSES};
 use flight::files::{Durability, write_atomic_with};
 
@@ -33,29 +34,14 @@ pub(crate) fn write(path: &Path, rows: &Rows) -> Result<(), ParquetError> {
         let len = rows.status.len() as i64;
         let first = rows.first as i64;
         let numbers: Vec<i64> = (first..first + len).collect();
-        if let Some(mut column) = group.next_column()? {
-            column
-                .typed::<Int64Type>()
-                .write_batch(&numbers, None, None)?;
-            column.close()?;
-        }
+        write_column::<Int64Type, _>(&mut group, &numbers, None)?;
         for own in &rows.columns {
-            if let Some(mut column) = group.next_column()? {
-                column
-                    .typed::<DoubleType>()
-                    .write_batch(&own.values, None, None)?;
-                column.close()?;
-            }
+            write_column::<DoubleType, _>(&mut group, &own.values, None)?;
         }
-        if let Some(mut column) = group.next_column()? {
-            let names = STATUSES.map(ByteArray::from);
-            let of = |status: &u8| names[usize::from(*status).min(names.len() - 1)].clone();
-            let texts: Vec<ByteArray> = rows.status.iter().map(of).collect();
-            column
-                .typed::<ByteArrayType>()
-                .write_batch(&texts, None, None)?;
-            column.close()?;
-        }
+        let names = STATUSES.map(ByteArray::from);
+        let of = |status: &u8| names[usize::from(*status).min(names.len() - 1)].clone();
+        let texts: Vec<ByteArray> = rows.status.iter().map(of).collect();
+        write_column::<ByteArrayType, _>(&mut group, &texts, None)?;
         group.close()?;
         writer.close()?;
         Ok(())
