@@ -138,6 +138,20 @@ impl Fields<'_> {
         items.iter().map(table).collect()
     }
 
+    /// Items of the list `key` of a table; none without it.
+    pub fn items<'d, 't>(
+        &self,
+        table: &'d DeTable<'t>,
+        key: &str,
+        expected: &str,
+    ) -> Result<&'d [Value<'t>], InputError> {
+        let Some(value) = table.get(key) else {
+            return Ok(&[]);
+        };
+        let items = value.get_ref().as_array().map(|items| &items[..]);
+        items.ok_or_else(|| self.refused(value, key, "no list", expected))
+    }
+
     /// The value under the required key `key` of an entry. `expected` describes the value in the error for its absence.
     pub fn needed<'d, 't>(
         &self,

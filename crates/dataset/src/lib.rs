@@ -239,7 +239,7 @@ fn assemble<'t>(
     let interpolation = dataset.input_interpolation;
     let tables = parallel::each_on(threads, manifest.flights.len(), |index| {
         let entry = &manifest.flights[index];
-        let (path, bytes, is_c3d) = read(&entry.file)?;
+        let (path, bytes, is_c3d) = read(&entry.flight.file)?;
         let table = if !is_c3d {
             table::parse(
                 &path,
@@ -256,7 +256,7 @@ fn assemble<'t>(
         };
         let mut table = upright::upright(recording, table, sensors);
         let mut inputs = std::mem::take(&mut table.inputs).series(&path, interpolation)?;
-        stated::check_inputs(&entry.stated, &entry.file, &inputs)?;
+        stated::check_inputs(&entry.stated, &entry.flight.file, &inputs)?;
         if let Some(file) = &entry.inputs {
             let (path, bytes, _) = read(file)?;
             let text = file::text(&path, &bytes)?;
@@ -276,16 +276,13 @@ fn assemble<'t>(
     for (entry, table) in manifest.flights.into_iter().zip(tables) {
         let (path, table, inputs) = table?;
         paths.push(path);
-        rounded.extend(table.rounded.map(|unit| (entry.file.clone(), unit)));
+        rounded.extend(table.rounded.map(|unit| (entry.flight.file.clone(), unit)));
         flights.push(Flight {
-            file: entry.file,
-            role: entry.role,
-            known: entry.known,
-            unknown: entry.unknown,
             inputs,
             times: table.times,
             positions: table.positions,
             readings: table.readings,
+            ..entry.flight
         });
     }
     let notes = manifest.summaries.iter().flat_map(|own| own.notes.clone());
@@ -321,7 +318,7 @@ fn summary_flights<'t>(
     let mut flights = Vec::new();
     for entry in entries {
         let (path, bytes, _) = read(&entry.file)?;
-        let table = summary_table::parse(&path, &file::table_text(&path, &bytes)?, entry)?;
+        let rows = summary_table::parse(&path, &file::table_text(&path, &bytes)?, entry)?;
         let places = entry.columns.iter().map(|column| {
             let known = sensors[first..].iter().position(|own| own == column);
             known.unwrap_or_else(|| {
@@ -330,7 +327,7 @@ fn summary_flights<'t>(
             })
         });
         let places: Vec<usize> = places.collect();
-        for (line, values) in table.rows {
+        for (line, values) in rows {
             let mut readings = vec![None; before + sensors.len() - first];
             for (place, value) in places.iter().zip(values) {
                 readings[before + place] = value.map(|value| [value, 0.0, 0.0, 0.0]);

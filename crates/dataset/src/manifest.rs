@@ -15,7 +15,7 @@ use super::stated::Stated;
 use super::summary_columns::SummariesEntry;
 use super::unplaced::Unplaced;
 use super::words::{meant, shown};
-use super::{Dataset, KnownValue, Marker, Role, file, names};
+use super::{Dataset, Flight, KnownValue, Marker, Role, file, names};
 use crate::input_error::InputError;
 use crate::pose::distance;
 
@@ -47,10 +47,8 @@ pub(super) struct Manifest {
 /// One `[[flights]]` entry of `dataset.toml`: the file, whether it is fitted or held out, and its known values.
 #[derive(Debug, PartialEq)]
 pub(super) struct FlightEntry {
-    pub file: String,
-    pub role: Role,
-    pub known: BTreeMap<String, KnownValue>,
-    pub unknown: Vec<String>,
+    /// What it states of the flight, without samples.
+    pub flight: Flight,
     /// The quantities that are known or unknown, with their places.
     pub stated: Vec<Stated>,
     /// Table of the inputs over time.
@@ -336,11 +334,15 @@ impl Fields<'_> {
                 let found = format!("a second flight {}", shown(&file));
                 return Err(self.fault(value.span(), found, "each file once"));
             }
-            flights.push(FlightEntry {
+            let flight = Flight {
                 file,
                 role: self.role(entry.1)?,
                 known: self.known(entry.1)?,
                 unknown: self.unknown(entry.1)?,
+                ..Flight::default()
+            };
+            flights.push(FlightEntry {
+                flight,
                 stated: self.stated(entry.1)?,
                 inputs: entry
                     .1
@@ -369,12 +371,7 @@ impl Fields<'_> {
     /// Reads the names under the key `unknown` of the document or of a flight.
     pub(super) fn unknown(&self, table: &DeTable<'_>) -> Result<Vec<String>, InputError> {
         let expected = "a list of names, as in [\"omega\"]";
-        let Some(value) = table.get("unknown") else {
-            return Ok(Vec::new());
-        };
-        let Some(items) = value.get_ref().as_array() else {
-            return Err(self.refused(value, "unknown", "no list", expected));
-        };
+        let items = self.items(table, "unknown", expected)?;
         let mut names: Vec<String> = Vec::with_capacity(items.len());
         for item in items {
             let name = self.text(item, "unknown", expected)?;

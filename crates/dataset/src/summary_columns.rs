@@ -69,12 +69,7 @@ impl Fields<'_> {
 
     fn notes(&self, table: &DeTable<'_>) -> Result<Vec<String>, InputError> {
         let expected = "a list of sentences in quotes";
-        let Some(value) = table.get("notes") else {
-            return Ok(Vec::new());
-        };
-        let Some(items) = value.get_ref().as_array() else {
-            return Err(self.refused(value, "notes", "no list", expected));
-        };
+        let items = self.items(table, "notes", expected)?;
         let each = items.iter();
         each.map(|item| self.text(item, "notes", expected))
             .collect()
@@ -178,12 +173,7 @@ impl Fields<'_> {
 
     fn held_out(&self, table: &DeTable<'_>) -> Result<BTreeSet<usize>, InputError> {
         let expected = "the lines of the rows that are held out, as in [3, 7]";
-        let Some(value) = table.get("held_out") else {
-            return Ok(BTreeSet::new());
-        };
-        let Some(items) = value.get_ref().as_array() else {
-            return Err(self.refused(value, "held_out", "no list", expected));
-        };
+        let items = self.items(table, "held_out", expected)?;
         let mut lines = BTreeSet::new();
         for item in items {
             let line = self.number(item, "held_out")?;

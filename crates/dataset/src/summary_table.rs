@@ -12,19 +12,15 @@ use crate::{Sensor, SensorKind};
 /// Maximum number of rows, each of which is a flight.
 const MAX_ROWS: usize = 100_000;
 
-/// Rows of a table of summaries.
-#[derive(Debug, Default, PartialEq)]
-pub(crate) struct SummaryTable {
-    /// Line of each row, and its values in the order of the columns, in their units; `None` for a missing value.
-    pub rows: Vec<(usize, Vec<Option<f64>>)>,
-}
+/// Line of each row, and its values in the order of the columns.
+pub(crate) type SummaryRows = Vec<(usize, Vec<Option<f64>>)>;
 
 /// Reads the columns that `entry` states.
 pub(crate) fn parse(
     file: &Path,
     text: &str,
     entry: &SummariesEntry,
-) -> Result<SummaryTable, InputError> {
+) -> Result<SummaryRows, InputError> {
     let mut lines = Lines::new(file, text);
     if !lines.next()? {
         let expected = "a header with the columns of dataset.toml";
@@ -32,9 +28,9 @@ pub(crate) fn parse(
     }
     let places = places(&lines, &entry.columns)?;
     let width = lines.sheet.width();
-    let mut table = SummaryTable::default();
+    let mut rows = SummaryRows::new();
     while lines.next()? {
-        if table.rows.is_empty() && is_units(&lines) {
+        if rows.is_empty() && is_units(&lines) {
             check_units(&lines, &entry.columns, &places)?;
             continue;
         }
@@ -43,7 +39,7 @@ pub(crate) fn parse(
             let expected = format!("{width} as in the header");
             return Err(lines.fault(lines.sheet.width().min(width), found, expected));
         }
-        if table.rows.len() == MAX_ROWS {
+        if rows.len() == MAX_ROWS {
             return Err(lines.fault(0, "a row more", format!("at most {MAX_ROWS} rows")));
         }
         let (line, _) = lines.sheet.place(0);
@@ -53,9 +49,9 @@ pub(crate) fn parse(
         if values.iter().all(Option::is_none) {
             return Err(lines.fault(0, "a row without a value", "a flight in each row"));
         }
-        table.rows.push((line, values));
+        rows.push((line, values));
     }
-    if table.rows.is_empty() {
+    if rows.is_empty() {
         let place = lines.sheet.end();
         return Err(InputError::at(
             file,
@@ -64,7 +60,7 @@ pub(crate) fn parse(
             "a row for each flight",
         ));
     }
-    let has = |line: &usize| table.rows.iter().any(|(own, _)| own == line);
+    let has = |line: &usize| rows.iter().any(|(own, _)| own == line);
     if let Some(line) = entry.held_out.iter().find(|line| !has(line)) {
         let found = format!("no flight at line {line}, which held_out names");
         return Err(InputError::of_file(
@@ -73,7 +69,7 @@ pub(crate) fn parse(
             "lines of rows of this table",
         ));
     }
-    Ok(table)
+    Ok(rows)
 }
 
 /// Index of each column in the header.

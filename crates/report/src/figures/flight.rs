@@ -2,7 +2,7 @@
 
 use super::figure::figure;
 use super::panel::{Mark, Panel};
-use super::states::{StateLabel, panels_of_inputs, panels_of_states};
+use super::states::{StateLabel, panels_over_time};
 use flight::InputSeries;
 use ode::Trajectory;
 
@@ -55,8 +55,8 @@ pub fn flight(
         let samples = times.iter().zip(&given);
         samples.map(|(t, row)| (*t, row[i])).collect()
     };
-    let over_time = panels_of_inputs(&labels, &given, &of_input).into_iter();
-    let over_time = over_time.chain(panels_of_states(states, &rows, APART, &points));
+    let over_time = panels_over_time(&labels, &given, None, &of_input).into_iter();
+    let over_time = over_time.chain(panels_over_time(states, &rows, Some(APART), &points));
     panels.extend(over_time.map(|panel| Panel {
         marks: marks.clone(),
         ..panel

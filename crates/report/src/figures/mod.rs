@@ -24,4 +24,4 @@ pub use layout::Layout;
 pub(crate) use panel::samples_below;
 pub use panel::{Bar, Dots, Line, Look, Mark, Panel};
 pub use states::StateLabel;
-pub(crate) use states::{panels_of_inputs, panels_of_states, symbol};
+pub(crate) use states::{panels_over_time, symbol};

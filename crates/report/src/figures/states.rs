@@ -44,30 +44,12 @@ fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<u
     groups
 }
 
-/// Panels of inputs over time, as those of the states; those of one unit together, whatever their sizes.
-pub(crate) fn panels_of_inputs(
-    inputs: &[StateLabel<'_>],
-    rows: &[Vec<f64>],
-    points: &dyn Fn(usize) -> Vec<(f64, f64)>,
-) -> Vec<Panel> {
-    panels(inputs, rows, f64::INFINITY, &|_| "Input", points)
-}
-
-/// Panels of the states over time, one for each of their [`groups`], from points (time, value) by state.
-pub(crate) fn panels_of_states(
+/// Panels of states over time, one for each of their [`groups`], from points (time, value) by state; or, without `apart`,
+/// of inputs, those of one unit together, whatever their sizes.
+pub(crate) fn panels_over_time(
     states: &[StateLabel<'_>],
     rows: &[Vec<f64>],
-    apart: f64,
-    points: &dyn Fn(usize) -> Vec<(f64, f64)>,
-) -> Vec<Panel> {
-    panels(states, rows, apart, &what, points)
-}
-
-fn panels(
-    states: &[StateLabel<'_>],
-    rows: &[Vec<f64>],
-    apart: f64,
-    what: &dyn Fn(&str) -> &'static str,
+    apart: Option<f64>,
     points: &dyn Fn(usize) -> Vec<(f64, f64)>,
 ) -> Vec<Panel> {
     let panel = |group: Vec<usize>| {
@@ -80,13 +62,17 @@ fn panels(
             "" | "1" => String::new(),
             unit => format!(", {unit}"),
         };
-        let title = format!("{} {}{suffix}", what(unit), names.join(", "));
+        let title = format!(
+            "{} {}{suffix}",
+            apart.map_or("Input", |_| what(unit)),
+            names.join(", ")
+        );
         Panel {
             lines,
             ..Panel::new(title, "time, s")
         }
     };
-    let groups = groups(states, rows, apart);
+    let groups = groups(states, rows, apart.unwrap_or(f64::INFINITY));
     groups.into_iter().map(panel).collect()
 }
 

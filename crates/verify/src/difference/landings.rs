@@ -1,12 +1,11 @@
 //! Flies a release with the old and the new model: where and when each flight ends.
 
-use flight::release::{Release, ReleaseError, Vocabulary, built_in, read, read_file};
+use flight::release::{Release, ReleaseError, Vocabulary, read, read_named};
 use flight::{CompiledModel, simulate};
 use model_spec::model::Model;
 use ode::IntegrationOptions;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::path::Path;
 
 /// Relative tolerance with which the flights are integrated.
 const TOLERANCE: f64 = 1e-10;
@@ -58,13 +57,9 @@ pub struct LandingError {
 /// # Errors
 /// [`LandingError`] if the release cannot be read, or contains names that one of the models does not have.
 pub fn landing(release: &str, old: &Model, new: &Model) -> Result<Landing, LandingError> {
-    let path = Path::new(release);
     ends(release, old, new, |model| {
         let vocabulary = |_: &str| Ok(Vocabulary::of(model));
-        match built_in(release) {
-            Some(text) if !path.is_file() => read(release, text, vocabulary),
-            _ => read_file(path, vocabulary),
-        }
+        Ok(read_named(release, false, vocabulary)?.0)
     })
 }
 

@@ -6,7 +6,7 @@ use model_spec::model::Model;
 use super::{MeasuredPoint, not_drawn, points, predicted, samples};
 use crate::figure::Figure;
 use crate::figures::axis::range;
-use crate::figures::{Layout, Look, Panel, StateLabel, panels_of_inputs, panels_of_states, symbol};
+use crate::figures::{Layout, Look, Panel, StateLabel, panels_over_time, symbol};
 use crate::thin::{MAX_CURVE_POINTS, MAX_FIGURES, MAX_FLIGHTS, curve, stride};
 
 /// Maximum ratio of the peak magnitudes of two states in one panel: the nutation must remain visible next to the spin.
@@ -63,7 +63,7 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
         return Vec::new();
     }
     let points = |i| column(flight, &flight.states, i);
-    panels_of_states(&labels, &rows, APART, &points)
+    panels_over_time(&labels, &rows, Some(APART), &points)
 }
 
 /// Figures of the inputs that vary, a figure for each flight.
@@ -85,7 +85,7 @@ fn input_panels(flight: &FlightEvidence) -> Vec<Panel> {
     let labels = labels.map(|(name, unit)| StateLabel { name, unit });
     let labels: Vec<StateLabel<'_>> = labels.collect();
     let points = |i| column(flight, &flight.inputs, i);
-    panels_of_inputs(&labels, &flight.inputs, &points)
+    panels_over_time(&labels, &flight.inputs, None, &points)
 }
 
 /// Points (time, value) of a column of a table with a row for each sample.
