@@ -7,7 +7,7 @@ use ode::{DifferentiableRhs, Projection, RhsProperties};
 
 use crate::{BoundModel, ModelRhs};
 
-/// RhsProperties of motion with further parameters, coefficients `c` of terms `c · basis(t, x)` that are added to a parameter
+/// Equations of motion with further parameters, coefficients `c` of terms `c · basis(t, x)` that are added to a parameter
 /// of the model. At `c = 0`, the derivative by `c` is that by the parameter, times `basis(t, x)`.
 pub struct BasisLoads<'a, B> {
     motion: ModelRhs<'a>,
