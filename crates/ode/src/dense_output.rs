@@ -1,7 +1,7 @@
 //! State within an accepted step: the method's interpolant, and a cheaper cubic Hermite interpolant.
 
 use crate::method::simd::{MIN_SIMD_LEN, WeightedRows};
-use crate::method::{Method, ROWS};
+use crate::method::{Method, ROWS, Stepper};
 use crate::projection::Project;
 use crate::rhs::StateVector;
 use std::ops::Range;
@@ -101,7 +101,20 @@ pub(crate) struct HermiteStep<'a, X> {
     pub dx_end: &'a X,
 }
 
-impl<X: StateVector> HermiteStep<'_, X> {
+impl<'a, X: StateVector> HermiteStep<'a, X> {
+    /// The last step of a stepper, from the time `t`, of the size `h`.
+    #[inline(always)]
+    pub(crate) fn of(stepper: &'a Stepper<X>, t: f64, h: f64) -> HermiteStep<'a, X> {
+        HermiteStep {
+            t,
+            h,
+            x: &stepper.x,
+            dx: stepper.dx(),
+            x_end: stepper.x_end(),
+            dx_end: stepper.dx_end(),
+        }
+    }
+
     #[inline(always)]
     pub(crate) fn ends(&self, i: usize) -> (f64, f64, f64, f64) {
         (

@@ -3,7 +3,7 @@
 mod overlooked;
 
 use self::overlooked::Watch;
-use crate::dense_output::DenseOutput;
+use crate::dense_output::{DenseOutput, HermiteStep};
 use crate::event::{Event, EventAction, Occurrence};
 use crate::input::{check_input, failure, first_non_finite, non_finite_derivative, step_too_small};
 use crate::method::{ErrorTolerance, Stepper};
@@ -253,7 +253,7 @@ impl<'s, 'e, D: OdeRhs> Solver<'s, 'e, D> {
     #[inline]
     fn handle_step(&mut self, end: StepEnd) -> Result<Option<(f64, usize)>, IntegrationError> {
         let (t, h) = (self.t, end.h);
-        let step = self.stepper.hermite(t, h);
+        let step = HermiteStep::of(&self.stepper, t, h);
         let mut may_occur = false;
         for event in self.events.iter_mut() {
             may_occur |= event.may_occur(&step, &mut self.scratch);

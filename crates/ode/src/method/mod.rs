@@ -6,7 +6,6 @@ pub(crate) mod simd;
 pub(crate) mod tableau;
 pub(crate) mod tsit5;
 
-use crate::dense_output::HermiteStep;
 use crate::rhs::{OdeRhs, StateVector};
 use tableau::Tableau;
 
@@ -175,19 +174,6 @@ impl<X: StateVector> Stepper<X> {
     #[inline(always)]
     pub fn dx(&self) -> &X {
         &self.k[0]
-    }
-
-    /// The accepted step, from the time `t`, of the size `h`.
-    #[inline(always)]
-    pub fn hermite(&self, t: f64, h: f64) -> HermiteStep<'_, X> {
-        HermiteStep {
-            t,
-            h,
-            x: &self.x,
-            dx: self.dx(),
-            x_end: self.x_end(),
-            dx_end: self.dx_end(),
-        }
     }
 
     /// State and derivative at the start of the step, to compute the derivative anew.

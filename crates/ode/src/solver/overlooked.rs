@@ -2,7 +2,7 @@
 
 use super::Solver;
 use crate::OdeRhs;
-use crate::dense_output::DenseOutput;
+use crate::dense_output::{DenseOutput, HermiteStep};
 use crate::switches::{Passed, Path, greatest, may_have_cells, overlooked};
 use crate::time_breaks::StepEnd;
 use lanes::{Enclosure, Switch};
@@ -44,7 +44,7 @@ impl<D: OdeRhs> Solver<'_, '_, D> {
     pub(super) fn overlooked(&mut self, end: StepEnd) -> Option<f64> {
         let watch = self.watch.as_mut()?;
         let (t, h) = (self.t, end.h);
-        let step = self.stepper.hermite(t, h);
+        let step = HermiteStep::of(&self.stepper, t, h);
         let (rhs, state) = (&mut *self.rhs, &mut self.scratch);
         let mut within = |s: f64, to: &mut [f64]| {
             for (i, x) in state.as_mut().iter_mut().enumerate() {
