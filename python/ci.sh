@@ -5,33 +5,21 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 root=$(cd .. && pwd)
-target=${CARGO_TARGET_DIR:-$root/target}
-mkdir -p "$target"
-target=$(cd "$target" && pwd)
-export CARGO_TARGET_DIR=$target
-venv=$target/python-ci
-
+source "$root/.ci/beside.sh"
 echo "== environment"
-# uv installs in a tenth of pip's time.
-"${PYTHON:-python3}" -m venv "$venv"
-"$venv/bin/pip" install --quiet --disable-pip-version-check uv
-export PATH=$venv/bin:$PATH VIRTUAL_ENV=$venv
-uv pip install --quiet --requirement requirements-dev.txt
-
+bash environment.sh
 echo "== wheel"
-cargo fmt --check
-rm -rf "$target/python-wheels"
-maturin build --quiet --locked --profile dev --features as-tested --out "$target/python-wheels"
-uv pip install --quiet --reinstall --no-deps "$target"/python-wheels/*.whl
+bash wheel.sh
+target=${CARGO_TARGET_DIR:-$root/target}
+venv=$(cd "$target" && pwd)/python-ci
+export PATH=$venv/bin:$PATH VIRTUAL_ENV=$venv
 
-echo "== ruff, mypy, pyright, stubs, beside the tests"
 static() {
     ruff check . ../docs/notebooks && ruff format --check . ../docs/notebooks && mypy &&
         ruff check --isolated --select E9,F ../benches ../studies &&
         pyright --pythonpath "$venv/bin/python" && stubtest hyzer._hyzer
 }
-static >"$target/python-static.log" 2>&1 &
-checks=$!
+beside "ruff, mypy, pyright, stubs" static
 
 echo "== tests"
 # From the root, where `hyzer` is the installed package and the examples are.
@@ -39,8 +27,7 @@ tests() {
     (cd "$root" && pytest --quiet -c python/pyproject.toml --rootdir python --import-mode importlib "$@")
 }
 tests -n auto -m "not alone" python/tests --ignore python/tests/ir --pyargs hyzer
-wait "$checks" || { cat "$target/python-static.log"; exit 1; }
-cat "$target/python-static.log"
+joined "ruff, mypy, pyright, stubs"
 tests -m alone python/tests --ignore python/tests/ir
 if [ "${1:-}" = --all ]; then
     (cd "$root" && pytest --quiet -n auto -c /dev/null --rootdir python/tests/ir --confcutdir python/tests/ir python/tests/ir)

@@ -11,23 +11,22 @@ venv=${SITE_VENV:-$target/python-ci}
 out=$target/site
 export PATH=$venv/bin:$PATH VIRTUAL_ENV=$venv SITE_BUILD=$target/site-build NO_MKDOCS_2_WARNING=1
 rm -rf "$SITE_BUILD" "$out"
-mkdir -p "$SITE_BUILD" "$target/site-node"
+mkdir -p "$SITE_BUILD"
+source "$root/.ci/beside.sh"
+bash "$root/python/environment.sh"
 
-echo "== tools"
-uv pip install --quiet --requirement requirements.txt
-cp package.json axe.js "$target/site-node"
-has_node=false
-if command -v npm > /dev/null && (cd "$target/site-node" && npm install --silent --no-fund --no-audit --ignore-scripts); then
-    has_node=true
-fi
-
-echo "== shares by each scheduler"
 cd "$root"
-python -m pytest --quiet -c python/pyproject.toml --rootdir python --import-mode importlib python/tests/test_recipes.py
-
+recipes() {
+    python -m pytest --quiet -c python/pyproject.toml --rootdir python --import-mode importlib python/tests/test_recipes.py
+}
+demo() {
+    python -c 'import hyzer, sys; hyzer.diagnose("examples/mystery").save(sys.argv[1])' "$SITE_BUILD/demo"
+}
+beside "shares by each scheduler" recipes
+beside demo demo
 echo "== notebooks"
 python "$here/notebooks.py" --out "$SITE_BUILD/notebooks" 2> "$SITE_BUILD/.log" || { tail -40 "$SITE_BUILD/.log"; exit 1; }
-python -c 'import hyzer, sys; hyzer.diagnose("examples/mystery").save(sys.argv[1])' "$SITE_BUILD/demo"
+joined demo
 
 echo "== site"
 if [ "${1:-}" = --rustdoc ]; then
@@ -38,9 +37,10 @@ fi
 mkdocs build --config-file "$here/mkdocs.yml" --site-dir "$out"
 [ "${1:-}" != --rustdoc ] || cp -r "$target/doc/." "$out/rust"
 python "$here/check.py" "$out"
+joined "shares by each scheduler"
 
 echo "== accessibility, 1280 and 390 px"
-if $has_node && command -v chromium > /dev/null; then
+if [ -d "$target/site-node/node_modules/axe-core" ] && command -v chromium > /dev/null; then
     node "$target/site-node/axe.js" "$out"
 else
     echo "skipped: no Node with its packages, or no Chromium"

@@ -11,6 +11,7 @@ import itertools
 import re
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import jupytext
@@ -93,39 +94,48 @@ def page(notebook: dict, name: str) -> str:
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
+def executed(source: Path) -> tuple[dict, str, float]:
+    """Return a notebook with its outputs, its text without them, and the seconds that it took."""
+    begun = time.perf_counter()
+    notebook = jupytext.read(source)
+    plain = jupytext.writes(notebook, fmt="ipynb")
+    setup = jupytext.reads("# %%\n" + SETUP.strip(), fmt="py:percent").cells[0]
+    setup.source = SETUP
+    notebook.cells.insert(0, setup)
+    client = NotebookClient(
+        notebook,
+        timeout=600,
+        kernel_name="python3",
+        resources={"metadata": {"path": str(ROOT)}},
+    )
+    client.execute()
+    notebook.cells.pop(0)
+    return notebook, plain, time.perf_counter() - begun
+
+
 def main() -> int:
-    """Run what was asked for."""
+    """Run what was asked for, two notebooks side by side."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*")
     parser.add_argument("--out", type=Path, required=True)
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     sources = sorted((ROOT / "docs/notebooks").glob("*.py"))
-    for source in [s for s in sources if not options.names or s.stem in options.names]:
-        begun = time.perf_counter()
-        notebook = jupytext.read(source)
-        plain = jupytext.writes(notebook, fmt="ipynb")
-        setup = jupytext.reads("# %%\n" + SETUP.strip(), fmt="py:percent").cells[0]
-        setup.source = SETUP
-        notebook.cells.insert(0, setup)
-        client = NotebookClient(
-            notebook,
-            timeout=600,
-            kernel_name="python3",
-            resources={"metadata": {"path": str(ROOT)}},
-        )
+    asked = [s for s in sources if not options.names or s.stem in options.names]
+    with ThreadPoolExecutor(2) as pool:
+        running = [pool.submit(executed, source) for source in asked]
+    for source, done in zip(asked, running, strict=True):
         try:
-            client.execute()
+            notebook, plain, seconds = done.result()
         except CellExecutionError as error:
             print(f"{source.name}: {error}", file=sys.stderr)
             return 1
-        notebook.cells.pop(0)
         (options.out / f"{source.stem}.md").write_text(
             page(notebook, source.stem), encoding="utf-8"
         )
         (options.out / f"{source.stem}.ipynb").write_text(plain, encoding="utf-8")
         (options.out / f"{source.stem}.py.txt").write_text(source.read_text(), encoding="utf-8")
-        print(f"{source.name}: {time.perf_counter() - begun:.1f} s")
+        print(f"{source.name}: {seconds:.1f} s")
     return 0
 
 
