@@ -69,7 +69,8 @@ impl View {
             }
             Some(flight)
         });
-        let markers = problem.points.markers.iter().map(|m| m[0].hypot(m[1]).hypot(m[2]));
+        let markers = problem.points.markers.iter();
+        let markers = markers.map(|m| m[0].hypot(m[1]).hypot(m[2]));
         View {
             shape: shape(&problem.model),
             radius: Some(markers.fold(0.0, f64::max)).filter(|r| *r > 0.0),
