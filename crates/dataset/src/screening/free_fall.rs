@@ -101,7 +101,7 @@ impl<'a> FreeFall<'a> {
     /// The fault that all flights have in common, or else those of single flights.
     pub fn check(&self) -> Vec<DataFault> {
         let all: Vec<&Row> = self.rows.iter().flatten().collect();
-        if all.is_empty() || !has_steady_loads(&self.body.model()) {
+        if all.is_empty() || !has_steady_loads(self.body.model()) {
             return Vec::new();
         }
         let Some(fixed) = regress(&all, Some(self.gravity)) else {
