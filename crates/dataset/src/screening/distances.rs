@@ -50,7 +50,7 @@ pub fn correction(which: &str, length: f64) -> String {
     }
 }
 
-/// All pairs (i, j), i < j, of at most the first [`MAX_MARKERS`] markers.
+/// All pairs (i, j), i < j, of at most the first eight markers.
 pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
     let count = markers.min(MAX_MARKERS);
     (0..count)
