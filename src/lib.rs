@@ -60,14 +60,15 @@ pub use model::{Effect, Model};
 // Datasets.
 pub use ::dataset::synthesize::{Corruption, Plan, Spread};
 pub use ::dataset::{
-    Dataset, Flight as MeasuredFlight, KnownValue, Marker, Reading, Role, Sensor, SensorKind,
+    DataFault, Dataset, FaultKind, Flight as MeasuredFlight, KnownValue, Marker, Reading, Role,
+    Sensor, SensorKind,
 };
 pub use dataset::{DatasetBuilder, read_dataset, synthesize};
 pub use model_spec::compose::Instrument;
 
 // Fits.
 pub use fit::{Estimate, Fit, FitBuilder};
-pub use identify::{CancellationToken, DataFault, FaultKind, FitReport, FlightOutcome, Progress};
+pub use identify::{CancellationToken, FitReport, FlightOutcome, Progress};
 
 // Diagnoses.
 pub use ::diagnose::{
