@@ -47,7 +47,7 @@ pub enum FaultKind {
 
 impl DataFault {
     /// Creates a fault of `flight`.
-    pub fn new(
+    pub(crate) fn new(
         flight: &Flight,
         fault: FaultKind,
         detail: impl Into<String>,
