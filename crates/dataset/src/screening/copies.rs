@@ -60,12 +60,13 @@ pub fn reject(
     }
 }
 
-/// Points of a path, with their usual interval, s, and the noise of a coordinate, m.
+/// Points of a path, with their usual interval, s, the noise of a coordinate, m, and the longest step between two, m.
 #[derive(Clone, Copy)]
 struct Path<'t> {
     points: &'t [PathPoint],
     interval: f64,
     noise: f64,
+    step: f64,
 }
 
 impl<'t> Path<'t> {
@@ -73,10 +74,13 @@ impl<'t> Path<'t> {
     fn of(track: &'t Track) -> Option<Self> {
         let points = &track.points[..];
         let intervals = points.windows(2).map(|pair| pair[1].time - pair[0].time);
+        let steps = points.windows(2);
+        let steps = steps.map(|pair| (pair[1].position - pair[0].position).norm());
         let path = Self {
             points,
             interval: median_of(intervals)?,
             noise: track.noise,
+            step: steps.fold(0.0, f64::max),
         };
         (points.len() >= MIN_SERIES && path.noise > LEAST_NOISE).then_some(path)
     }
@@ -103,29 +107,27 @@ fn are_copies(one: &Path<'_>, other: &Path<'_>) -> bool {
 /// apart.
 fn shift_at_start(path: &Path<'_>, other: &Path<'_>) -> Option<f64> {
     let first = path.points.first()?;
-    let away = |point: &&PathPoint| (point.position - first.position).norm();
-    let near = other
-        .points
-        .iter()
-        .min_by(|a, b| away(a).total_cmp(&away(b)))?;
-    (away(&near) <= reach(path, other)).then_some(near.time - first.time)
+    // Of all pairs of flights, this is what is computed: squares are cheaper than distances.
+    let each = other.points.iter();
+    let away = each.map(|point| ((point.position - first.position).norm_squared(), point));
+    let (squared, near) = away.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    (squared.sqrt() <= reach(path, other)).then_some(near.time - first.time)
 }
 
 /// Distance of two points of one path, m, that are at most an interval and the noise apart.
 fn reach(one: &Path<'_>, other: &Path<'_>) -> f64 {
-    let steps = one.points.windows(2).chain(other.points.windows(2));
-    let step = steps.map(|pair| (pair[1].position - pair[0].position).norm());
-    step.fold(0.0, f64::max) + SIGNIFICANT * (one.noise + other.noise)
+    one.step.max(other.step) + SIGNIFICANT * (one.noise + other.noise)
 }
 
 /// Whether the paths, aligned at a start, are near each other in the middle of what they have in common.
 fn are_near(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
     let [first, last] = [dense.points[0], dense.points[dense.points.len() - 1]];
-    let within = |point: &&PathPoint| (first.time..last.time).contains(&(point.time + shift));
-    let common: Vec<&PathPoint> = sparse.points.iter().filter(within).collect();
+    let before = |time: f64| sparse.points.partition_point(|own| own.time + shift < time);
+    let (from, to) = (before(first.time), before(last.time));
+    let common = sparse.points.get(from..to).unwrap_or_default();
     let middle = common.get(common.len() / 2).map(|point| PathPoint {
         time: point.time + shift,
-        ..**point
+        ..*point
     });
     middle.is_some_and(|point| {
         let next = dense.points.partition_point(|own| own.time < point.time);
@@ -237,6 +239,7 @@ mod tests {
             points,
             interval,
             noise: 1e-3,
+            step: 0.2,
         };
         let (dense, sparse) = (path(&dense[..], 0.01), path(&sparse[..], 0.02));
         assert!((refined(&dense, &sparse, 0.02) - 0.0137).abs() < 1e-6);
