@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use model_spec::model::{FrameKind, Model};
 
 use super::pose::fix_attitude;
-use super::sensor::with_channels;
-use super::{Dataset, Flight, SensorKind, points_on_body, points_seen};
+use super::sensor::pose_sensors;
+use super::{Dataset, Flight, points_on_body, points_seen};
 
 /// Points of a body that show its pose.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,10 +32,7 @@ impl PosePoints {
         // Markers of a point mass are fixed in the inertial frame, which is frame 0.
         let marker = model.marker.as_ref();
         let has_attitude = marker.is_some_and(|marker| marker.frame != 0);
-        let poses = || {
-            let sensors = with_channels(&dataset.sensors);
-            sensors.filter(|(sensor, _)| sensor.kind == SensorKind::Pose)
-        };
+        let poses = || pose_sensors(&dataset.sensors);
         if has_attitude && !fix_attitude(&markers) {
             markers.extend(poses().flat_map(|(sensor, _)| points_on_body(sensor.position)));
         }

@@ -135,6 +135,11 @@ pub(super) fn with_channels(sensors: &[Sensor]) -> impl Iterator<Item = (&Sensor
     })
 }
 
+/// The pose sensors, each with the channel of its positions, which that of its attitudes follows.
+pub(super) fn pose_sensors(sensors: &[Sensor]) -> impl Iterator<Item = (&Sensor, usize)> {
+    with_channels(sensors).filter(|(sensor, _)| sensor.kind == SensorKind::Pose)
+}
+
 /// Rotation from body to inertial components for a reading of the attitude, a quaternion, scalar part first.
 pub fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))

@@ -40,10 +40,13 @@ impl Body for FitProblem {
         rigid_pairs(self)
     }
 
-    fn state(&self, flight: &Flight, motion: &RigidMotion) -> Option<Vec<f64>> {
-        let observations = Observations::new(self, flight).ok()?;
-        let state = state_for_motion(self, &observations, motion).ok()?;
-        Some(state.as_slice().to_vec())
+    fn states(&self, flight: &Flight, motions: &[RigidMotion]) -> Vec<Option<Vec<f64>>> {
+        let observations = Observations::new(self, flight).ok();
+        let state = |motion| {
+            let state = state_for_motion(self, observations.as_ref()?, motion).ok()?;
+            Some(state.as_slice().to_vec())
+        };
+        motions.iter().map(state).collect()
     }
 }
 

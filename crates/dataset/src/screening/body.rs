@@ -28,6 +28,6 @@ pub trait Body: Sync {
     /// of a coefficient.
     fn rigid_pairs(&self) -> Vec<bool>;
 
-    /// The state in which the body moves so in a flight; `None` if there is none.
-    fn state(&self, flight: &Flight, motion: &RigidMotion) -> Option<Vec<f64>>;
+    /// The states in which the body moves so in a flight; `None` where there is none.
+    fn states(&self, flight: &Flight, motions: &[RigidMotion]) -> Vec<Option<Vec<f64>>>;
 }

@@ -141,7 +141,10 @@ pub fn check_all(body: &dyn Body, dataset: &Dataset, tracks: &[Option<Track>]) -
 }
 
 /// Whether the body is upside down in the poses of every flight, as markers in a plane show it if the axes are left-handed.
-pub fn is_upside_down(body: &dyn Body, flights: &[Vec<Option<Pose>>]) -> bool {
+pub fn is_upside_down(
+    body: &dyn Body,
+    mut flights: impl Iterator<Item = Vec<Option<Pose>>>,
+) -> bool {
     let points = body.points();
     if !points.are_markers || !points.has_attitude || is_decided_by(&points.markers) {
         return false;
@@ -152,8 +155,7 @@ pub fn is_upside_down(body: &dyn Body, flights: &[Vec<Option<Pose>>]) -> bool {
         median_of(each.map(|pose| (pose.attitude * normal).z))
     };
     usual_side(body).is_some_and(|usual| {
-        let mut sides = flights.iter().map(|poses| side(poses));
-        sides.all(|side| side.is_some_and(|side| is_turned(side, usual)))
+        flights.all(|poses| side(&poses).is_some_and(|side| is_turned(side, usual)))
     })
 }
 
@@ -199,22 +201,24 @@ pub fn is_described_better(
 fn misfits(body: &dyn Body, flight: &Flight, track: &Track) -> Vec<f64> {
     let windows = track.windows();
     let step = windows.len().div_ceil(COMPARED.1).max(1);
-    let each = windows
-        .into_iter()
-        .step_by(step)
-        .filter_map(|(range, motion)| {
-            let points = &track.points[range];
-            let middle = points[points.len() / 2];
-            let motion_there = RigidMotion {
-                position: middle.position,
-                velocity: motion.velocity,
-                attitude: middle.attitude,
-                rates: Some(rates(points)?),
-            };
-            let state = body.state(flight, &motion_there)?;
-            let predicted = acceleration(body, &state)?;
-            Some((motion.acceleration - predicted).norm())
-        });
+    let each = windows.into_iter().step_by(step);
+    let each = each.filter_map(|(range, motion)| {
+        let points = &track.points[range];
+        let middle = points[points.len() / 2];
+        let motion_there = RigidMotion {
+            position: middle.position,
+            velocity: motion.velocity,
+            attitude: middle.attitude,
+            rates: Some(rates(points)?),
+        };
+        Some((motion.acceleration, motion_there))
+    });
+    let (measured, motions): (Vec<Vector3<f64>>, Vec<RigidMotion>) = each.unzip();
+    let states = body.states(flight, &motions).into_iter().zip(measured);
+    let each = states.filter_map(|(state, measured)| {
+        let predicted = acceleration(body, &state?)?;
+        Some((measured - predicted).norm())
+    });
     each.collect()
 }
 

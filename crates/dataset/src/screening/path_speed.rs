@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use crate::sensor::with_channels;
+use crate::sensor::pose_sensors;
 use crate::statistics::median_of;
-use crate::{Dataset, Flight, SensorKind};
+use crate::{Dataset, Flight};
 
 /// Time over which the path is compared, s: markers beside the axis turn about it meanwhile, and add no length.
 const CHORD: f64 = 0.2;
@@ -12,8 +12,7 @@ const CHORD: f64 = 0.2;
 /// Unit of the speeds in `channel`, m/s: the median ratio of the speed along the path to the reading. `None` where no
 /// positions are measured.
 pub fn apparent_unit(dataset: &Dataset, flight: &Flight, channel: usize) -> Option<f64> {
-    let poses =
-        with_channels(&dataset.sensors).filter(|(sensor, _)| sensor.kind == SensorKind::Pose);
+    let poses = pose_sensors(&dataset.sensors);
     let places: Vec<usize> = poses.map(|(_, channel)| channel).collect();
     let positions = |sample: usize| -> Vec<Option<Vector3<f64>>> {
         let markers = flight.positions[sample].iter().copied();

@@ -9,8 +9,8 @@ use super::momentum::{is_clearly_better, momenta, unsteadiness};
 use super::readings::{of_flights, series};
 use crate::fault::{DataFault, FaultKind};
 use crate::levels::AS_GOOD;
-use crate::sensor::with_channels;
-use crate::{Dataset, Reading, SensorKind, attitude};
+use crate::sensor::pose_sensors;
+use crate::{Dataset, Reading, attitude};
 
 /// Least ratio of a flat body's third moment of inertia to the others: it is thrown spinning about the third axis.
 pub const FLAT: f64 = 1.2;
@@ -30,8 +30,7 @@ pub fn check(body: &dyn Body, dataset: &Dataset) -> Vec<DataFault> {
     let Some(inertia) = inertia(body) else {
         return Vec::new();
     };
-    let poses =
-        with_channels(&dataset.sensors).filter(|(sensor, _)| sensor.kind == SensorKind::Pose);
+    let poses = pose_sensors(&dataset.sensors);
     let each = poses.flat_map(|(_, channel)| {
         let attitudes = Attitudes {
             dataset,

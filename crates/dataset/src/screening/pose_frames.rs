@@ -6,8 +6,8 @@ use super::Body;
 use super::mirror;
 use super::readings::of_flights;
 use crate::fault::{DataFault, FaultKind};
-use crate::sensor::with_channels;
-use crate::{AXES, Dataset, Flight, Reading, SensorKind, attitude};
+use crate::sensor::pose_sensors;
+use crate::{AXES, Dataset, Flight, Reading, attitude};
 
 /// The poses of the first sensor of a dataset that has any.
 pub struct Poses<'d> {
@@ -20,8 +20,7 @@ pub struct Poses<'d> {
 impl<'d> Poses<'d> {
     /// `None` without poses.
     pub fn of(dataset: &'d Dataset) -> Option<Self> {
-        let (sensor, channel) =
-            with_channels(&dataset.sensors).find(|(own, _)| own.kind == SensorKind::Pose)?;
+        let (sensor, channel) = pose_sensors(&dataset.sensors).next()?;
         Some(Self {
             dataset,
             sensor: &sensor.name,

@@ -18,8 +18,8 @@ pub fn open_side(problem: &FitProblem, flights: &[Observations]) -> Option<Strin
             "the path of a point does not show whether the axes are left-handed: if they are, {MEND}; otherwise check the signs of what the flights state, such as a spin"
         ));
     }
-    let poses: Vec<_> = flights.iter().map(|flight| flight.poses(problem)).collect();
-    is_upside_down(problem, &poses).then(|| {
+    let poses = flights.iter().map(|flight| flight.poses(problem));
+    is_upside_down(problem, poses).then(|| {
         format!(
             "in all flights the body is upside down, as left-handed axes or exchanged labels show it: if they do, {MEND}"
         )

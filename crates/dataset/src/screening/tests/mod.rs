@@ -94,8 +94,8 @@ impl Body for Screened {
         vec![true; marker_pairs(self.points.markers.len()).len()]
     }
 
-    fn state(&self, _: &Flight, _: &RigidMotion) -> Option<Vec<f64>> {
-        None
+    fn states(&self, _: &Flight, motions: &[RigidMotion]) -> Vec<Option<Vec<f64>>> {
+        vec![None; motions.len()]
     }
 }
 
