@@ -54,7 +54,10 @@ fn main() {
         let _ = writeln!(code, "/// {doc}\npub const {table}: &[(&str, &str)] = &[");
         for path in files(&root.join(folder), extension) {
             let name = path.file_stem().expect("a file name").to_string_lossy();
-            let _ = writeln!(code, "    ({name:?}, include_str!({path:?})),");
+            // The folder of the crate may be another one when this is compiled: a checkout that was moved.
+            let text =
+                format!("concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/{folder}/{name}.{extension}\")");
+            let _ = writeln!(code, "    ({name:?}, include_str!({text})),");
         }
         code.push_str("];\n");
     }
