@@ -23,6 +23,8 @@ const BLOCKS: [usize; 4] = [4, 8, 16, 32];
 const MIN_BLOCKS: usize = 8;
 /// Ratio of the noise of two paths above which one was filtered.
 const FILTERED: f64 = 2.0;
+/// Time, s, of the displacements that tell which paths can be of one throw.
+const CHORD: f64 = 0.25;
 /// Number of steps that refine the shift of the clock.
 const STEPS: usize = 4;
 
@@ -61,29 +63,88 @@ pub fn reject(
 }
 
 /// Points of a path, with their usual interval, s, the noise of a coordinate, m, and the longest step between two, m.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Path<'t> {
     points: &'t [PathPoint],
     interval: f64,
     noise: f64,
     step: f64,
+    /// Chord of the first point.
+    start: Chord,
+    pieces: Vec<Piece>,
+}
+
+/// Position, m, and the displacement over [`CHORD`] that follows, m, which is NaN near the end of the path.
+type Chord = [f64; 6];
+
+/// Points of a path within [`CHORD`], with the bounds of their chords, m, of those that are known.
+#[derive(Clone)]
+struct Piece {
+    points: Range<usize>,
+    low: Chord,
+    high: Chord,
 }
 
 impl<'t> Path<'t> {
     /// The path of a track; `None` if it has few points or, as a simulated one, no noise.
     fn of(track: &'t Track) -> Option<Self> {
-        let points = &track.points[..];
+        let path = Self::new(&track.points, track.noise)?;
+        (path.points.len() >= MIN_SERIES && path.noise > LEAST_NOISE).then_some(path)
+    }
+
+    fn new(points: &'t [PathPoint], noise: f64) -> Option<Self> {
         let intervals = points.windows(2).map(|pair| pair[1].time - pair[0].time);
         let steps = points.windows(2);
         let steps = steps.map(|pair| (pair[1].position - pair[0].position).norm());
-        let path = Self {
+        Some(Self {
             points,
             interval: median_of(intervals)?,
-            noise: track.noise,
+            noise,
             step: steps.fold(0.0, f64::max),
-        };
-        (points.len() >= MIN_SERIES && path.noise > LEAST_NOISE).then_some(path)
+            start: chord(points, 0),
+            pieces: pieces(points),
+        })
     }
+}
+
+fn chord(points: &[PathPoint], index: usize) -> Chord {
+    let first = &points[index];
+    let later = &points[index + within_chord(&points[index..])..];
+    let along = later.first().map(|then| then.position - first.position);
+    let along = along.unwrap_or(Vector3::repeat(f64::NAN));
+    std::array::from_fn(|k| {
+        if k < 3 {
+            first.position[k]
+        } else {
+            along[k - 3]
+        }
+    })
+}
+
+/// Number of the points within [`CHORD`] of the first one.
+fn within_chord(points: &[PathPoint]) -> usize {
+    points.partition_point(|point| point.time < points[0].time + CHORD)
+}
+
+fn pieces(points: &[PathPoint]) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    let mut from = 0;
+    while from < points.len() {
+        let own = from..from + within_chord(&points[from..]);
+        from = own.end;
+        let (mut low, mut high) = ([f64::NAN; 6], [f64::NAN; 6]);
+        for index in own.clone() {
+            for (k, value) in chord(points, index).into_iter().enumerate() {
+                (low[k], high[k]) = (low[k].min(value), high[k].max(value));
+            }
+        }
+        pieces.push(Piece {
+            points: own,
+            low,
+            high,
+        });
+    }
+    pieces
 }
 
 /// Whether two paths are of one throw, with a shift of the clock.
@@ -104,14 +165,22 @@ fn are_copies(one: &Path<'_>, other: &Path<'_>) -> bool {
 }
 
 /// What is added to the times of `path` so that its first point is at the nearest one of `other`; `None` if they are far
-/// apart.
+/// apart, or part.
 fn shift_at_start(path: &Path<'_>, other: &Path<'_>) -> Option<f64> {
+    let reach = reach(path, other);
+    // Bounds are computed for all pairs of flights, distances for few. Both points of a chord are as far off as one.
+    let is_near = |piece: &&Piece| {
+        let bounds = piece.low.iter().zip(&piece.high);
+        let mut each = path.start.iter().zip(bounds);
+        // Unknown displacements are within all bounds.
+        !each.any(|(own, (low, high))| own - high > 2.0 * reach || low - own > 2.0 * reach)
+    };
+    let near = other.pieces.iter().filter(is_near);
+    let each = near.flat_map(|piece| &other.points[piece.points.clone()]);
     let first = path.points.first()?;
-    // Of all pairs of flights, this is what is computed: squares are cheaper than distances.
-    let each = other.points.iter();
     let away = each.map(|point| ((point.position - first.position).norm_squared(), point));
     let (squared, near) = away.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (squared.sqrt() <= reach(path, other)).then_some(near.time - first.time)
+    (squared.sqrt() <= reach).then_some(near.time - first.time)
 }
 
 /// Distance of two points of one path, m, that are at most an interval and the noise apart.
@@ -235,13 +304,7 @@ mod tests {
             each.collect()
         };
         let (dense, sparse) = (points(0.01, 0.0), points(0.02, 0.0137));
-        let path = |points, interval| Path {
-            points,
-            interval,
-            noise: 1e-3,
-            step: 0.2,
-        };
-        let (dense, sparse) = (path(&dense[..], 0.01), path(&sparse[..], 0.02));
+        let [dense, sparse] = [&dense, &sparse].map(|points| Path::new(points, 1e-3).unwrap());
         assert!((refined(&dense, &sparse, 0.02) - 0.0137).abs() < 1e-6);
     }
 }
