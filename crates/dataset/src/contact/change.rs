@@ -145,7 +145,7 @@ impl Path {
         let about = kept.last()?.time;
         let mut fitted = Smooth::through(&kept, self.noise, about)?;
         for _ in 0..OUTLIERS.0 {
-            let removals = kept.iter().map(|point| fitted.removal(point)).enumerate();
+            let removals = fitted.removals(&kept).enumerate();
             let (worst, removal) = removals.max_by(|a, b| a.1.total_cmp(&b.1))?;
             if removal <= OUTLIERS.1 * self.noise.powi(2) {
                 break;

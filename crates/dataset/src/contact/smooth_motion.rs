@@ -72,12 +72,15 @@ impl<const N: usize> Fitted<N> {
         })
     }
 
-    /// Decrease of the sum of squares if a fitted point is left out, m².
-    pub fn removal(&self, point: &PathPoint) -> f64 {
-        let row = functions::<N>(point.time - self.about);
-        let residual = point.position - self.origin - self.coefficients.tr_mul(&row);
-        let free_part = 1.0 - row.dot(&self.factor.solve(&row));
-        residual.norm_squared() / free_part.max(MIN_FREE_PART)
+    /// Decreases of the sum of squares if each of the fitted points is left out, m².
+    pub fn removals(&self, points: &[&PathPoint]) -> impl Iterator<Item = f64> {
+        let inverse = self.factor.inverse();
+        points.iter().map(move |point| {
+            let row = functions::<N>(point.time - self.about);
+            let residual = point.position - self.origin - self.coefficients.tr_mul(&row);
+            let free_part = 1.0 - row.dot(&(inverse * row));
+            residual.norm_squared() / free_part.max(MIN_FREE_PART)
+        })
     }
 }
 
