@@ -20,7 +20,11 @@ use dataset::statistics::median_of;
 
 /// Trajectories and residuals of all flights for one set of values of the unknowns.
 #[derive(Default)]
-pub struct ResidualCache(Vec<CachedFlight>);
+pub struct ResidualCache {
+    flights: Vec<CachedFlight>,
+    /// Whether the errors of the integration are known to be small.
+    is_accurate: bool,
+}
 
 struct CachedFlight {
     path: Result<Path, FlightError>,
@@ -66,7 +70,7 @@ impl ResidualCache {
     /// Residuals of each flight in its first `samples[flight]` samples.
     pub fn new(state: &State<'_>, samples: &[usize]) -> Self {
         let (threads, count) = (state.options.threads(), state.flights.len());
-        Self(parallel::each_on(threads, count, |flight| {
+        let flights = parallel::each_on(threads, count, |flight| {
             let at = state.at(flight).first(samples[flight]);
             let states = state.options.check_flight().and_then(|()| at.states());
             let path = states.and_then(|states| {
@@ -78,18 +82,22 @@ impl ResidualCache {
             let scale = path.as_ref().ok();
             let scale = scale.and_then(|path| robust_scale(&path.residuals));
             CachedFlight { path, scale }
-        }))
+        });
+        Self {
+            flights,
+            is_accurate: false,
+        }
     }
 
     /// Robust standard deviation of each flight's residuals, m; `None` if it cannot be integrated or has none.
     pub fn scales(&self) -> Vec<Option<f64>> {
-        self.0.iter().map(|flight| flight.scale).collect()
+        self.flights.iter().map(|flight| flight.scale).collect()
     }
 
     /// Whether a flight has no residual scale, or one above `usual`, m, by more than the factor `ratio` and `errors`
     /// standard errors.
     pub fn stands_out(&self, flight: usize, usual: f64, ratio: f64, errors: f64) -> bool {
-        let CachedFlight { path, scale } = &self.0[flight];
+        let CachedFlight { path, scale } = &self.flights[flight];
         let (Some(scale), Ok(path)) = (scale, path) else {
             return true;
         };
@@ -100,7 +108,7 @@ impl ResidualCache {
 
     /// Median over the flights of their residual scales, m; 0 if no flight has a residual scale.
     pub fn median_scale(&self) -> f64 {
-        let scales = self.0.iter().filter_map(|flight| flight.scale);
+        let scales = self.flights.iter().filter_map(|flight| flight.scale);
         median_of(scales).unwrap_or(0.0)
     }
 
@@ -112,7 +120,10 @@ impl ResidualCache {
     /// Sum of the squares of all residuals, m², clipped at [`UNLIKE`] times `scale`, m, and their number.
     pub fn clipped_squares(&self, scale: f64) -> (f64, usize) {
         let limit = UNLIKE * scale;
-        let paths = self.0.iter().filter_map(|flight| flight.path.as_ref().ok());
+        let paths = self
+            .flights
+            .iter()
+            .filter_map(|flight| flight.path.as_ref().ok());
         let residuals = paths.flat_map(|path| path.residuals.iter().flatten().flatten().flatten());
         residuals.fold((0.0, 0), |(squares, count), residual| {
             (squares + residual.abs().min(limit).powi(2), count + 1)
@@ -121,29 +132,33 @@ impl ResidualCache {
 
     /// Root mean square over the flights of their residual scales, m; 0 if no flight has a residual scale.
     pub fn rms_scale(&self) -> f64 {
-        let scales: Vec<f64> = self.0.iter().filter_map(|flight| flight.scale).collect();
+        let scales: Vec<f64> = self
+            .flights
+            .iter()
+            .filter_map(|flight| flight.scale)
+            .collect();
         let squares: f64 = scales.iter().map(|scale| scale * scale).sum();
         (squares / scales.len().max(1) as f64).sqrt()
     }
 
     /// Flights whose trajectories could not be computed, as indices among the fitted flights, with the reasons.
     pub fn failures(&self) -> Vec<FailedFlight> {
-        let flights = self.0.iter().enumerate();
+        let flights = self.flights.iter().enumerate();
         flights
             .filter_map(|(flight, found)| Some((flight, found.path.as_ref().err()?.clone())))
             .collect()
     }
 
     pub fn remove(&mut self, failures: &[FailedFlight]) {
-        let mut is_kept = vec![true; self.0.len()];
+        let mut is_kept = vec![true; self.flights.len()];
         for (flight, _) in failures {
             is_kept[*flight] = false;
         }
-        retain(&mut self.0, &is_kept);
+        retain(&mut self.flights, &is_kept);
     }
 
     pub fn path(&self, flights: &[Observations], flight: usize) -> Result<&Path, FitError> {
-        let path = self.0[flight].path.as_ref();
+        let path = self.flights[flight].path.as_ref();
         path.map_err(|reason| flight_error(&flights[flight], reason.clone()))
     }
 }
@@ -227,25 +242,31 @@ const FACTORS: (f64, f64) = (1e-2, 1e-4);
 
 /// Reduces the tolerances of the flights whose predictions have larger errors than [`MAX_ERROR`], and recomputes the
 /// residuals if there are any.
-pub fn bound_global_errors(state: &mut State<'_>, cache: ResidualCache) -> ResidualCache {
+pub fn bound_global_errors(state: &mut State<'_>, mut cache: ResidualCache) -> ResidualCache {
+    if cache.is_accurate {
+        return cache;
+    }
     let (problem, options) = (state.problem, state.options);
-    let scales = cache.scales();
     let factors = parallel::each_on(options.threads(), state.flights.len(), |flight| {
+        let CachedFlight { path, scale } = &cache.flights[flight];
+        let coarse = &path.as_ref().ok()?.residuals;
         let at = state.at(flight);
-        let coarse = at.residuals().ok()?;
         let mut finely = at.observations.clone();
         finely.tolerance_factor *= FACTORS.0;
         let observations = &finely;
-        let fine = FlightAt { observations, ..at }.residuals().ok()?;
-        let [coarse, fine] = [&coarse, &fine].map(|all| all.iter().flatten().flatten().flatten());
+        let fine = &FlightAt { observations, ..at }.residuals().ok()?;
+        let [coarse, fine] = [coarse, fine].map(|all| all.iter().flatten().flatten().flatten());
         let differences = coarse.zip(fine).map(|(coarse, fine)| (coarse - fine).abs());
-        let size = scales[flight]?.max(problem.sigma0);
+        let size = scale.as_ref()?.max(problem.sigma0);
         let error = differences.fold(0.0, f64::max) / size;
         (error > MAX_ERROR).then(|| (MAX_ERROR / error).max(FACTORS.1))
     });
-    let is_refined = factors.iter().any(Option::is_some);
-    for (flight, factor) in state.flights.iter_mut().zip(factors) {
-        flight.tolerance_factor *= factor.unwrap_or(1.0);
+    if factors.iter().any(Option::is_some) {
+        for (flight, factor) in state.flights.iter_mut().zip(factors) {
+            flight.tolerance_factor *= factor.unwrap_or(1.0);
+        }
+        return state.residuals();
     }
-    if is_refined { state.residuals() } else { cache }
+    cache.is_accurate = true;
+    cache
 }
