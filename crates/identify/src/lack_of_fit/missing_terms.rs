@@ -18,9 +18,9 @@ use crate::fit::{Fit, flight_error};
 use crate::least_squares::{
     NormalBlock, SchurComplement, TestedParameters, add_priors, pseudo_inverse,
 };
-use crate::predict::{Target, linearise_with_terms, targets};
-use crate::problem::RESIDUAL_TOLERANCE;
-use crate::report::MissingTerm;
+use crate::predict::{Added, Target, linearise_with_terms, targets};
+use crate::problem::{FitProblem, RESIDUAL_TOLERANCE};
+use crate::report::{FlightEvidence, MissingTerm};
 
 /// Largest deviation of a quantity from its mean, in its standard deviations, that counts: a ratio may have poles.
 const MAX_DEVIATION: f64 = 3.0;
@@ -30,6 +30,9 @@ const SAME: f64 = 0.98;
 
 /// Maximum number of quantities.
 const MAX_QUANTITIES: usize = 20;
+
+/// Approximate number of samples of a flight by which quantities are compared: all of them would fill the memory.
+const COMPARED_SAMPLES: usize = 24;
 
 /// Part of a term's information beyond that of the constants, below which it is not tested: rounding would decide.
 const MIN_TOLERANCE: f64 = 1e-6;
@@ -46,10 +49,97 @@ struct Reduced {
     count: usize,
 }
 
-/// A quantity that a term may follow: its name, and its values by flight and sample, of mean 0 and deviation 1.
-struct Quantity {
+/// What a term may follow, with its name.
+struct Source {
     name: String,
-    values: Vec<Vec<f64>>,
+    kind: SourceKind,
+}
+
+#[derive(Clone, Copy)]
+enum SourceKind {
+    Time,
+    /// Scalar of the model, by its index among the quantities of the layout.
+    Quantity(usize),
+    State(usize),
+}
+
+impl Source {
+    /// The time, the model's scalars and its states.
+    fn all(problem: &FitProblem) -> Vec<Self> {
+        let layout = problem.body.layout();
+        let source = |name: &str, kind| Self {
+            name: name.to_owned(),
+            kind,
+        };
+        let scalars = problem.model.aux_variables.iter();
+        let scalars = scalars.filter(|own| own.value.shape == Shape::Scalar);
+        let scalars = scalars.filter_map(|own| {
+            let mut quantities = layout.quantities.iter();
+            let place = quantities.position(|name| *name == own.name)?;
+            Some(source(&own.name, SourceKind::Quantity(place)))
+        });
+        let states = layout.states.iter().enumerate();
+        let states = states.map(|(index, name)| source(name, SourceKind::State(index)));
+        let time = source("time", SourceKind::Time);
+        std::iter::once(time).chain(scalars).chain(states).collect()
+    }
+
+    fn value(&self, time: f64, quantities: &[f64], state: &[f64]) -> f64 {
+        match self.kind {
+            SourceKind::Time => time,
+            SourceKind::Quantity(index) => quantities[index],
+            SourceKind::State(index) => state[index],
+        }
+    }
+}
+
+/// Values of each [`Source`] at some samples of a flight.
+pub(super) fn compared(problem: &FitProblem, evidence: &FlightEvidence) -> Vec<Vec<f64>> {
+    let every = (evidence.times.len() / COMPARED_SAMPLES).max(1);
+    let samples = (0..evidence.times.len()).step_by(every);
+    let value = |source: &Source, sample: usize| {
+        let quantities = &evidence.quantities[sample];
+        source.value(evidence.times[sample], quantities, &evidence.states[sample])
+    };
+    let sources = Source::all(problem).into_iter();
+    sources
+        .map(|source| {
+            samples
+                .clone()
+                .map(|sample| value(&source, sample))
+                .collect()
+        })
+        .collect()
+}
+
+/// A quantity that a term may follow, less its mean, over its standard deviation.
+struct Quantity {
+    source: Source,
+    mean: f64,
+    deviation: f64,
+}
+
+impl Quantity {
+    /// The quantity of a source with values by flight; `None` if they do not vary.
+    fn new(source: Source, values: &[&[f64]]) -> Option<Self> {
+        let all = || values.iter().copied().flatten();
+        let (mean, deviation) = (all().mean(), all().std_dev());
+        let varies = deviation.is_finite() && deviation > f64::EPSILON.sqrt() * mean.abs();
+        varies.then_some(Self {
+            source,
+            mean,
+            deviation,
+        })
+    }
+
+    /// The scaled value; 0 where the quantity has none.
+    fn scaled(&self, value: f64) -> f64 {
+        let scaled = (value - self.mean) / self.deviation;
+        match scaled.is_nan() {
+            true => 0.0,
+            false => scaled.clamp(-MAX_DEVIATION, MAX_DEVIATION),
+        }
+    }
 }
 
 impl MissingTerm {
@@ -66,10 +156,10 @@ impl MissingTerm {
         let Some(first) = flights.first() else {
             return Ok(None);
         };
-        let quantities = quantities(fit, flights);
+        let quantities = quantities(problem, flights);
         let targets = targets(problem, first.observed, fit.global());
         let reduced = parallel::each_on(threads, flights.len(), |index| {
-            reduce(fit, &flights[index], &targets, (&quantities, index))
+            reduce(fit, &flights[index], &targets, &quantities)
         });
         let reduced: Vec<Option<Reduced>> = reduced.into_iter().collect::<Result<_, _>>()?;
         let reduced: Vec<Reduced> = reduced.into_iter().flatten().collect();
@@ -96,7 +186,7 @@ impl MissingTerm {
                         format!("der({})", problem.model.states[state.index()].name)
                     }
                 },
-                changes_with: follows.map(|index| quantities[index].name.clone()),
+                changes_with: follows.map(|index| quantities[index].source.name.clone()),
                 tests: scores.len(),
                 p_value: combined_p_value(p_values),
             }
@@ -104,24 +194,31 @@ impl MissingTerm {
     }
 }
 
-/// Normal equations without its local parameters of a flight, whose values of the quantities have an index; `None` if its
-/// initial state is not free.
+/// Normal equations of a flight without its local parameters; `None` if its initial state is not free.
 fn reduce(
     fit: &Fit,
     flight: &FittedFlight<'_>,
     targets: &[Target],
-    (quantities, index): (&[Quantity], usize),
+    quantities: &[Quantity],
 ) -> Result<Option<Reduced>, FitError> {
     let Some(at) = fit.at(flight.id) else {
         return Ok(None);
     };
-    // Functions of time that are added, one per column: 1, then the quantities.
-    let functions = 1 + quantities.len();
-    let weights = DMatrix::from_fn(at.samples, functions, |sample, k| match k {
-        0 => 1.0,
-        k => quantities[k - 1].values[index][sample],
-    });
-    let found = linearise_with_terms(at, fit.noise(), (targets, &weights));
+    let conditions = at.bound();
+    let mut observer = conditions.observer();
+    // Functions of time that are added: 1, then the quantities.
+    let mut functions = |time: f64, state: &[f64]| {
+        let values = observer.quantities(time, state);
+        let each = quantities.iter();
+        let each = each.map(|own| own.scaled(own.source.value(time, &values, state)));
+        std::iter::once(1.0).chain(each).collect()
+    };
+    let added = Added {
+        targets,
+        functions: 1 + quantities.len(),
+        at: &mut functions,
+    };
+    let found = linearise_with_terms(at, fit.noise(), added);
     let found = found.map_err(|reason| flight_error(at.observations, reason))?;
     Ok(found.and_then(|(block, tested): (NormalBlock, _)| {
         let without = SchurComplement::new(&block, 0.0)?;
@@ -175,58 +272,27 @@ fn combined_p_value(p_values: impl ExactSizeIterator<Item = f64>) -> f64 {
     (count / variates.sum::<f64>()).atan().rem_euclid(PI) / PI
 }
 
-/// The time, the model's scalar quantities and its states, as far as they vary and differ from each other.
-fn quantities(fit: &Fit, flights: &[FittedFlight<'_>]) -> Vec<Quantity> {
-    let model = &fit.problem().model;
-    let scalars = model.aux_variables.iter();
-    let scalars = scalars.filter(|own| own.value.shape == Shape::Scalar);
-    let names = std::iter::once("time".to_owned()).chain(scalars.map(|own| own.name.clone()));
-    let names: Vec<String> = names
-        .chain(model.states.iter().map(|state| state.name.clone()))
-        .collect();
-    let series = flights.iter().map(|FittedFlight { evidence, .. }| {
-        let of = |name: &String| -> Vec<f64> {
-            let of = |names: &[String], values: &[Vec<f64>]| -> Option<Vec<f64>> {
-                let place = names.iter().position(|own| own == name)?;
-                values.iter().map(|row| row.get(place).copied()).collect()
-            };
-            of(&evidence.quantity_names, &evidence.quantities)
-                .or_else(|| of(&evidence.state_names, &evidence.states))
-                .unwrap_or_else(|| evidence.times.clone())
-        };
-        names.iter().map(of).collect()
-    });
-    let series: Vec<Vec<Vec<f64>>> = series.collect();
-    let mut kept: Vec<Quantity> = Vec::new();
-    for (index, name) in names.into_iter().enumerate() {
-        let own = series.iter().map(|flight| flight[index].clone());
-        let Some(values) = scaled(own.collect()) else {
+/// The sources as far as they vary and differ from each other.
+fn quantities(problem: &FitProblem, flights: &[FittedFlight<'_>]) -> Vec<Quantity> {
+    let mut kept: Vec<(Quantity, Vec<f64>)> = Vec::new();
+    for (index, source) in Source::all(problem).into_iter().enumerate() {
+        let values = flights.iter().map(|flight| &flight.compared[index][..]);
+        let values: Vec<&[f64]> = values.collect();
+        let Some(quantity) = Quantity::new(source, &values) else {
             continue;
         };
-        if kept.len() < MAX_QUANTITIES && !kept.iter().any(|other| is_same(other, &values)) {
-            kept.push(Quantity { name, values });
+        let scaled = values.into_iter().flatten();
+        let scaled: Vec<f64> = scaled.map(|value| quantity.scaled(*value)).collect();
+        let is_known = kept.iter().any(|(_, other)| is_same(other, &scaled));
+        if kept.len() < MAX_QUANTITIES && !is_known {
+            kept.push((quantity, scaled));
         }
     }
-    kept
+    kept.into_iter().map(|(quantity, _)| quantity).collect()
 }
 
-/// Values less their mean, over their standard deviation; `None` if they do not vary.
-fn scaled(mut values: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
-    let (mean, deviation) = {
-        let all = || values.iter().flatten();
-        (all().mean(), all().std_dev())
-    };
-    if !(deviation.is_finite() && deviation > f64::EPSILON.sqrt() * mean.abs()) {
-        return None;
-    }
-    for value in values.iter_mut().flatten() {
-        *value = ((*value - mean) / deviation).clamp(-MAX_DEVIATION, MAX_DEVIATION);
-    }
-    Some(values)
-}
-
-fn is_same(one: &Quantity, other: &[Vec<f64>]) -> bool {
-    let pairs = || one.values.iter().flatten().zip(other.iter().flatten());
+fn is_same(one: &[f64], other: &[f64]) -> bool {
+    let pairs = || one.iter().zip(other);
     let sum = |of: fn(f64, f64) -> f64| pairs().map(|(a, b)| of(*a, *b)).sum::<f64>();
     sum(|a, b| a * b).abs() > SAME * (sum(|a, _| a * a) * sum(|_, b| b * b)).sqrt()
 }

@@ -12,6 +12,7 @@ mod smooth_misfit;
 use flight::parallel;
 use model_spec::sort_by_number;
 
+use self::missing_terms::compared;
 use self::noise_floor::{FlightSeries, NoiseFloor};
 use self::series::{Series, SplineBasis};
 use self::smooth_misfit::{FlightMisfit, ScaledStatistic, greatest_misfit, least_p};
@@ -59,7 +60,7 @@ impl LackOfFit {
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
     pub fn of_fit(fit: &Fit, threads: usize) -> Result<Option<Self>, FitError> {
-        Self::of_flights(fit, &fitted_flights(fit, threads), threads)
+        Self::of_flights(fit, &FittedFlight::all(fit, threads), threads)
     }
 
     /// [`of_fit`](Self::of_fit), with the tests of missing terms if the residuals pass as noise.
@@ -67,7 +68,7 @@ impl LackOfFit {
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
     pub fn with_missing_term(fit: &Fit, threads: usize) -> Result<Option<Self>, FitError> {
-        let flights = fitted_flights(fit, threads);
+        let flights = FittedFlight::all(fit, threads);
         let mut found = Self::of_flights(fit, &flights, threads)?;
         if let Some(found) = &mut found
             && !found.fails(LACK_OF_FIT_LEVEL)
@@ -77,22 +78,18 @@ impl LackOfFit {
         Ok(found)
     }
 
-    fn of_flights(
+    fn of_flights<'f>(
         fit: &Fit,
-        flights: &[FittedFlight<'_>],
+        flights: &'f [FittedFlight<'_>],
         threads: usize,
     ) -> Result<Option<Self>, FitError> {
         let intervals = flights.iter().filter_map(|f| f.observed.interval());
         let Some(interval) = median_of(intervals) else {
             return Ok(None);
         };
-        let (mut kept, mut series) = (Vec::new(), Vec::new());
-        for flight in flights {
-            if let Some(found) = flight.residuals(fit) {
-                series.push(found);
-                kept.push(flight);
-            }
-        }
+        let of_flight = |flight: &'f FittedFlight<'_>| Some((flight, flight.residuals.as_ref()?));
+        let (kept, series): (Vec<&FittedFlight<'_>>, Vec<&FlightSeries>) =
+            flights.iter().filter_map(of_flight).unzip();
         let channels = &fit.problem().channels;
         let Some(floor) = NoiseFloor::estimate(&series, channels, interval, threads) else {
             return Ok(None);
@@ -101,7 +98,7 @@ impl LackOfFit {
         let sigma0 = RESIDUAL_TOLERANCE * fit.problem().sigma0;
         let least_ratio = sigma0 / floor.noise.overall();
         let misfits = parallel::each_on(threads, kept.len(), |index| {
-            let with = kept[index].with_derivatives(fit, &series[index])?;
+            let with = kept[index].with_derivatives(fit, series[index])?;
             let slow = kept[index].slow();
             Ok(FlightMisfit::new(&with, &slow, &floor.noise, least_ratio))
         });
@@ -115,7 +112,7 @@ impl LackOfFit {
     }
 
     fn of_misfits(
-        (flights, series): (&[&FittedFlight<'_>], &[FlightSeries]),
+        (flights, series): (&[&FittedFlight<'_>], &[&FlightSeries]),
         (misfits, channels): (&[Option<FlightMisfit>], &[Channel]),
         floor: &NoiseFloor,
     ) -> Self {
@@ -139,7 +136,7 @@ impl LackOfFit {
                 .filter_map(|&(index, p_value)| {
                     let flight = &flights[index];
                     let basis = flight.slow();
-                    let found = greatest_misfit(&series[index], &basis, &floor.noise, channels)?;
+                    let found = greatest_misfit(series[index], &basis, &floor.noise, channels)?;
                     Some(SmoothMisfit {
                         file: flight.observed.file.clone(),
                         p_value,
@@ -180,110 +177,46 @@ impl LackOfFit {
     }
 }
 
-/// A flight that was used in the fit.
+/// A track that was used in the fit.
 struct FittedFlight<'f> {
     observed: &'f Observations,
     id: FlightId,
-    evidence: FlightEvidence,
+    /// Residuals of the inliers, with the basis that follows fast misfits; `None` if there are none to test.
+    residuals: Option<FlightSeries>,
+    /// Values of what a missing term may follow, at some samples.
+    compared: Vec<Vec<f64>>,
 }
 
-/// The tracks of a fit that have the role `fit` and were not excluded.
-fn fitted_flights(fit: &Fit, threads: usize) -> Vec<FittedFlight<'_>> {
-    let all = (0..fit.report.flights.len()).map(FlightId::new);
-    let fitted = all.filter_map(|id| {
-        let (observed, _) = fit.flight(id)?;
-        let is_track = observed.role == Role::Fit && !observed.is_summary;
-        is_track.then_some((observed, id))
-    });
-    let fitted: Vec<_> = fitted.collect();
-    let flights = parallel::each_on(threads, fitted.len(), |index| {
-        let (observed, id) = fitted[index];
-        let evidence = fit.evidence(id)?;
-        Some(FittedFlight {
-            observed,
-            id,
-            evidence,
-        })
-    });
-    flights.into_iter().flatten().collect()
+impl<'f> FittedFlight<'f> {
+    /// The tracks of a fit that have the role `fit` and were not excluded.
+    fn all(fit: &'f Fit, threads: usize) -> Vec<Self> {
+        let all = (0..fit.report.flights.len()).map(FlightId::new);
+        let fitted = all.filter_map(|id| {
+            let (observed, _) = fit.flight(id)?;
+            let is_track = observed.role == Role::Fit && !observed.is_summary;
+            is_track.then_some((observed, id))
+        });
+        let fitted: Vec<_> = fitted.collect();
+        let flights = parallel::each_on(threads, fitted.len(), |index| {
+            let (observed, id) = fitted[index];
+            let evidence = fit.evidence(id)?;
+            Some(Self {
+                observed,
+                id,
+                residuals: residuals(fit, observed, &evidence),
+                compared: compared(fit.problem(), &evidence),
+            })
+        });
+        flights.into_iter().flatten().collect()
+    }
 }
 
 impl FittedFlight<'_> {
-    /// Time from the first to the last sample of the flight, s.
-    fn duration(&self) -> f64 {
-        self.observed.times.last().copied().unwrap_or(0.0)
-    }
-
     /// Basis that follows slow deviations, with fewer knots than [`INTERVALS`] for few samples.
     fn slow(&self) -> SplineBasis {
-        let duration = self.duration();
+        let duration = duration(self.observed);
         let least = MIN_SAMPLES_PER_KNOT * self.observed.interval().unwrap_or(duration);
         SplineBasis::new((0.0, duration), (duration / INTERVALS.0).max(least))
-    }
-
-    /// Predicted positions `[sample][point]`, m, of the points of the pose, which turn with the body where a sensor
-    /// measures poses; `None` without such a sensor.
-    fn points_of_pose(&self, fit: &Fit) -> Option<Vec<Vec<[f64; 3]>>> {
-        let problem = fit.problem();
-        let mut channels = problem.channels.iter();
-        channels.find(|own| own.kind == ChannelKind::Attitude)?;
-        let bound = self.observed.bound(problem, fit.global());
-        let mut observer = bound.observer();
-        let samples = self.evidence.times.iter().zip(&self.evidence.states);
-        let rows = samples.map(|(time, state)| {
-            let points = problem.points.markers.iter();
-            points
-                .map(|point| observer.position(*time, state, point))
-                .collect()
-        });
-        Some(rows.collect())
-    }
-
-    /// Residuals of the inliers, with the basis that follows fast misfits; `None` if there are none to test.
-    fn residuals(&self, fit: &Fit) -> Option<FlightSeries> {
-        let duration = self.duration();
-        let interval = self
-            .observed
-            .interval()
-            .filter(|interval| *interval > 0.0)?;
-        let evidence = &self.evidence;
-        let frequency = match self.points_of_pose(fit) {
-            Some(points) => frequency(&points, interval),
-            None => frequency(&evidence.predicted, interval),
-        };
-        let wanted = (1.0 / (KNOTS_PER_PERIOD * frequency)).min(duration / INTERVALS.1);
-        let knot_interval = wanted.max(MIN_SAMPLES_PER_KNOT * interval);
-        let channels = &fit.problem().channels;
-        let mut series = empty_series(channels.len(), 1);
-        let is_rounding: Vec<bool> = channels
-            .iter()
-            .map(|own| own.shows_rounding(fit.noise()))
-            .collect();
-        for (sample, &time) in evidence.times.iter().enumerate() {
-            let mut positions = 0..;
-            let mut sensors = evidence.sensors.iter();
-            for (index, (channel, axes)) in channels.iter().zip(&mut series).enumerate() {
-                let residual = match channel.is_position() {
-                    true => positions
-                        .next()
-                        .and_then(|index| evidence.residual(sample, index)),
-                    false => sensors
-                        .next()
-                        .and_then(|own| own.residuals[sample].filter(|_| !own.outlier[sample])),
-                };
-                let Some(residual) = residual.filter(|_| !is_rounding[index]) else {
-                    continue;
-                };
-                for (series, residual) in axes.iter_mut().zip(residual).take(channel.components) {
-                    series.times.push(time);
-                    series.sides.push(-residual * channel.scale);
-                }
-            }
-        }
-        Some(FlightSeries {
-            series,
-            fine: SplineBasis::new((0.0, duration), knot_interval),
-        })
     }
 
     /// Residuals of the inliers with their derivatives by the local parameters, and the basis of `from`.
@@ -316,6 +249,80 @@ impl FittedFlight<'_> {
             fine: from.fine,
         })
     }
+}
+
+/// Time from the first to the last sample of a flight, s.
+fn duration(observed: &Observations) -> f64 {
+    observed.times.last().copied().unwrap_or(0.0)
+}
+
+/// Predicted positions `[sample][point]`, m, of the points of the pose, which turn with the body where a sensor
+/// measures poses; `None` without such a sensor.
+fn points_of_pose(
+    fit: &Fit,
+    observed: &Observations,
+    evidence: &FlightEvidence,
+) -> Option<Vec<Vec<[f64; 3]>>> {
+    let problem = fit.problem();
+    let mut channels = problem.channels.iter();
+    channels.find(|own| own.kind == ChannelKind::Attitude)?;
+    let bound = observed.bound(problem, fit.global());
+    let mut observer = bound.observer();
+    let samples = evidence.times.iter().zip(&evidence.states);
+    let rows = samples.map(|(time, state)| {
+        let points = problem.points.markers.iter();
+        points
+            .map(|point| observer.position(*time, state, point))
+            .collect()
+    });
+    Some(rows.collect())
+}
+
+/// Residuals of the inliers of a flight, as in [`FittedFlight`].
+fn residuals(
+    fit: &Fit,
+    observed: &Observations,
+    evidence: &FlightEvidence,
+) -> Option<FlightSeries> {
+    let duration = duration(observed);
+    let interval = observed.interval().filter(|interval| *interval > 0.0)?;
+    let frequency = match points_of_pose(fit, observed, evidence) {
+        Some(points) => frequency(&points, interval),
+        None => frequency(&evidence.predicted, interval),
+    };
+    let wanted = (1.0 / (KNOTS_PER_PERIOD * frequency)).min(duration / INTERVALS.1);
+    let knot_interval = wanted.max(MIN_SAMPLES_PER_KNOT * interval);
+    let channels = &fit.problem().channels;
+    let mut series = empty_series(channels.len(), 1);
+    let is_rounding: Vec<bool> = channels
+        .iter()
+        .map(|own| own.shows_rounding(fit.noise()))
+        .collect();
+    for (sample, &time) in evidence.times.iter().enumerate() {
+        let mut positions = 0..;
+        let mut sensors = evidence.sensors.iter();
+        for (index, (channel, axes)) in channels.iter().zip(&mut series).enumerate() {
+            let residual = match channel.is_position() {
+                true => positions
+                    .next()
+                    .and_then(|index| evidence.residual(sample, index)),
+                false => sensors
+                    .next()
+                    .and_then(|own| own.residuals[sample].filter(|_| !own.outlier[sample])),
+            };
+            let Some(residual) = residual.filter(|_| !is_rounding[index]) else {
+                continue;
+            };
+            for (series, residual) in axes.iter_mut().zip(residual).take(channel.components) {
+                series.times.push(time);
+                series.sides.push(-residual * channel.scale);
+            }
+        }
+    }
+    Some(FlightSeries {
+        series,
+        fine: SplineBasis::new((0.0, duration), knot_interval),
+    })
 }
 
 fn empty_series(channels: usize, count: usize) -> Vec<[Series; 3]> {

@@ -50,7 +50,7 @@ struct Likelihood {
 impl NoiseFloor {
     /// Noise of residuals with sampling interval `interval`, s; `None` if they are too few for the splines.
     pub fn estimate(
-        flights: &[FlightSeries],
+        flights: &[&FlightSeries],
         channels: &[Channel],
         interval: f64,
         threads: usize,
@@ -65,7 +65,7 @@ impl NoiseFloor {
                 .sum::<usize>();
             before < MAX_RESIDUALS
         });
-        let used: Vec<&FlightSeries> = used.collect();
+        let used: Vec<&FlightSeries> = used.copied().collect();
         let group_of: Vec<usize> = channels.iter().map(|channel| channel.group).collect();
         let (mut groups, mut ar1_std_error) = (Vec::new(), Vec::new());
         for group in 0..group_count(&group_of) {
@@ -280,7 +280,9 @@ mod tests {
     fn noise_is_found_again_whatever_moves_beside_it() {
         for ar1 in [0.0, 0.6] {
             let channels = [marker()];
-            let found = NoiseFloor::estimate(&flights(ar1), &channels, 1.0 / 120.0, 1).unwrap();
+            let flights = flights(ar1);
+            let flights: Vec<&FlightSeries> = flights.iter().collect();
+            let found = NoiseFloor::estimate(&flights, &channels, 1.0 / 120.0, 1).unwrap();
             for axis in 0..3 {
                 let error = found.ar1_std_error[0][axis];
                 assert!(error > 0.01 && error < 0.2, "{found:?}");

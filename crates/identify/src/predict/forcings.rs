@@ -61,8 +61,17 @@ struct Row {
     derivatives: [Vec<f64>; 3],
 }
 
-/// Normal equations of a flight, whitened by `noise`, with the tested terms: for each of `targets`, its change by each
-/// column of `weights` (samples × functions), target by target. `None` if the initial state is not free.
+/// Terms that are added to the equations of motion: each of the targets changes by each of the functions.
+pub(crate) struct Added<'a> {
+    pub targets: &'a [Target],
+    /// Number of functions.
+    pub functions: usize,
+    /// Values of the functions at a time, s, and a state.
+    pub at: &'a mut dyn FnMut(f64, &[f64]) -> Vec<f64>,
+}
+
+/// Normal equations of a flight, whitened by `noise`, with the tested terms, target by target. `None` if the initial
+/// state is not free.
 ///
 /// A term g w(t) that is added to the rates changes the states by L(t) c(t) with dc/dt = L⁻¹ g w, where L are the
 /// derivatives by the initial state; g is ∂f/∂p for a coefficient p. The integral is that of the trapezoidal rule at the
@@ -73,7 +82,7 @@ struct Row {
 pub(crate) fn linearise_with_terms(
     at: FlightAt<'_>,
     noise: &NoiseModel,
-    (targets, weights): (&[Target], &DMatrix<f64>),
+    added: Added<'_>,
 ) -> Result<Option<(NormalBlock, TestedParameters)>, FlightError> {
     let (problem, observations) = (at.problem, at.observations);
     let locals = observations.manifold.dimension();
@@ -100,8 +109,8 @@ pub(crate) fn linearise_with_terms(
             });
         })?;
     let trajectory = trajectory.unwrap_or_default();
-    let mut terms = Terms::new(problem, &motion, targets);
-    let terms_of = (targets.len(), weights.ncols());
+    let mut terms = Terms::new(problem, &motion, added.targets);
+    let terms_of = (added.targets.len(), added.functions);
     let sum = TermProducts::new((locals, parameters.len()), terms_of);
     let mut sum = WeightedRows::new(sum, &problem.channels, Loss::Whitened(noise));
     let size = trajectory.len() / observations.times.len().max(1);
@@ -111,12 +120,12 @@ pub(crate) fn linearise_with_terms(
         let by_local = columns.states_by_local(layout, augmented);
         let state = layout.state(augmented);
         let tangent = observations.manifold.tangent(state);
-        let Some(added) = terms.added(&mut motion, (time, state), &by_local, &tangent) else {
+        let Some(by_target) = terms.added(&mut motion, (time, state), &by_local, &tangent) else {
             return Ok(None);
         };
-        let functions = weights.row(sample);
+        let functions = (added.at)(time, state);
         sum.accumulator
-            .begin(time, &added, functions.iter().copied());
+            .begin(time, &by_target, functions.into_iter());
         while let Some(mut row) = rows.next_if(|row| row.sample == sample) {
             sum.add(row.channel, time, &mut row.derivatives, row.residual);
         }
@@ -283,19 +292,20 @@ mod tests {
         let test = |target| 2 * targets.iter().position(|own| *own == target).unwrap();
         let late_k = 1 + test(Target::Coefficient(GlobalId::new(k)));
         let constant = test(rate_of_vz);
-        let times = &observations.times;
         let late = |time: f64| 0.5 * (1.0 + ((time - 0.2) / 1e-4).tanh());
-        let weights = DMatrix::from_fn(times.len(), 2, |sample, function| match function {
-            0 => 1.0,
-            _ => late(times[sample]),
-        });
+        let added = Added {
+            targets: &targets,
+            functions: 2,
+            at: &mut |time, _| vec![1.0, late(time)],
+        };
         let found = linearise_with_terms(
             FlightAt::new(&problem, &observations, (&global, &local)),
             &NoiseModel::white(1e-3, 1.0 / 400.0),
-            (&targets, &weights),
+            added,
         );
         let (block, tested) = found.unwrap().unwrap();
-        assert_eq!(block.count, 3 * observations.channels * times.len());
+        let samples = observations.times.len();
+        assert_eq!(block.count, 3 * observations.channels * samples);
         // What begins between two samples is known less exactly.
         for (test, same, within) in [(late_k, k_late, 2e-2), (constant, a_up, 1e-3)] {
             for other in 0..3 {

@@ -16,7 +16,7 @@ use model_spec::layout::ParamId;
 use nalgebra::DVector;
 use ode::DifferentiableRhs;
 
-pub(crate) use self::forcings::{Target, linearise_with_terms, targets};
+pub(crate) use self::forcings::{Added, Target, linearise_with_terms, targets};
 pub(crate) use self::jacobian_columns::JacobianColumns;
 pub use self::observed_point::Residuals;
 pub(crate) use self::trajectory_pass::TrajectoryPass;
