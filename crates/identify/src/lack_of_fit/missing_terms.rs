@@ -31,8 +31,8 @@ const SAME: f64 = 0.98;
 /// Maximum number of quantities.
 const MAX_QUANTITIES: usize = 20;
 
-/// Approximate number of samples of a flight by which quantities are compared: all of them would fill the memory.
-const COMPARED_SAMPLES: usize = 24;
+/// Maximum number of samples of all flights by which quantities are compared: more would fill the memory.
+pub(super) const MAX_COMPARED: usize = 50_000;
 
 /// Part of a term's information beyond that of the constants, below which it is not tested: rounding would decide.
 const MIN_TOLERANCE: f64 = 1e-6;
@@ -93,9 +93,12 @@ impl Source {
     }
 }
 
-/// Values of each [`Source`] at some samples of a flight.
-pub(super) fn compared(problem: &FitProblem, evidence: &FlightEvidence) -> Vec<Vec<f64>> {
-    let every = (evidence.times.len() / COMPARED_SAMPLES).max(1);
+/// Values of each [`Source`] at each sample of a flight, or at one of `every`.
+pub(super) fn compared(
+    problem: &FitProblem,
+    evidence: &FlightEvidence,
+    every: usize,
+) -> Vec<Vec<f64>> {
     let samples = (0..evidence.times.len()).step_by(every);
     let value = |source: &Source, sample: usize| {
         let quantities = &evidence.quantities[sample];

@@ -12,7 +12,7 @@ mod smooth_misfit;
 use flight::parallel;
 use model_spec::sort_by_number;
 
-use self::missing_terms::compared;
+use self::missing_terms::{MAX_COMPARED, compared};
 use self::noise_floor::{FlightSeries, NoiseFloor};
 use self::series::{Series, SplineBasis};
 use self::smooth_misfit::{FlightMisfit, ScaledStatistic, greatest_misfit, least_p};
@@ -183,7 +183,7 @@ struct FittedFlight<'f> {
     id: FlightId,
     /// Residuals of the inliers, with the basis that follows fast misfits; `None` if there are none to test.
     residuals: Option<FlightSeries>,
-    /// Values of what a missing term may follow, at some samples.
+    /// Values of what a missing term may follow; of many flights, at some of their samples.
     compared: Vec<Vec<f64>>,
 }
 
@@ -197,6 +197,8 @@ impl<'f> FittedFlight<'f> {
             is_track.then_some((observed, id))
         });
         let fitted: Vec<_> = fitted.collect();
+        let samples = fitted.iter().map(|(observed, _)| observed.times.len());
+        let every = samples.sum::<usize>().div_ceil(MAX_COMPARED).max(1);
         let flights = parallel::each_on(threads, fitted.len(), |index| {
             let (observed, id) = fitted[index];
             let evidence = fit.evidence(id)?;
@@ -204,7 +206,7 @@ impl<'f> FittedFlight<'f> {
                 observed,
                 id,
                 residuals: residuals(fit, observed, &evidence),
-                compared: compared(fit.problem(), &evidence),
+                compared: compared(fit.problem(), &evidence, every),
             })
         });
         flights.into_iter().flatten().collect()
