@@ -18,8 +18,8 @@ PROBLEM, JOB = "the same problem", "the same job"
 
 SAME_PROBLEM = """## The same problem: the least squares alone
 
-Everybody solves one least-squares problem from the same unknowns: 3 standard errors (of each unknown by itself) from the solution, the noise known, white and
-alike on all axes, no outliers looked for. Reading, building and compiling are not counted. Ours is `Fitted::solve_from` in a process that is kept
+All solve one least-squares problem from the same unknowns: 3 standard errors (of each unknown by itself) from the solution, the noise known, white and
+alike on all axes, no outliers. Reading, building and compiling are not counted. Ours is `Fitted::solve_from` in a process that is kept
 running ({note}); it ends where a step promises less than 0.001 of the sum of squares. Its solution is {apart:.3f} standard errors from that of all of
 `hyzer fit`, which weighs by the noise that it estimates.
 
@@ -28,10 +28,9 @@ running ({note}); it ends where a step promises less than 0.001 of the sum of sq
 SAME_JOB = """
 ## The same job: from the markers to the coefficients
 
-Everybody begins with the coefficients of the model's file and the markers. Ours is all of `hyzer fit` but reading files and writing the report: starts from the
-markers alone, outliers, the noise of each axis and its correlation, the fit ({steps} steps), standard errors, residuals. The peers are given our starts from the
-markers for nothing, at each sample; they solve with equal weights, then
-with the weights of the residuals along each axis. They look for no outliers and no correlation, and give no standard errors.
+All begin with the coefficients of the model's file and the markers. Ours is all of `hyzer fit` but reading files, the tests of lack of fit and the report: screening, starts from the
+markers alone, outliers, the noise of each axis and its correlation, the fit ({steps} steps), standard errors. The peers are given our starts
+at each sample; they solve with equal weights, then with those of the residuals along each axis, without outliers, correlation or standard errors.
 
 """
 
@@ -43,8 +42,8 @@ All of `hyzer fit`, as in the second table, over the peers' times in the first.
 """
 
 WHAT = """
-scipy's residuals and exact sensitivities are compiled C (SymPy's code, gcc -O3 -march=native -ffast-math, OpenMP over flights), Runge–Kutta of order 4 with two steps
-a sample, 0.5 µm from exact. CasADi: the same equations and steps, multiple shooting, Gauss-Newton Hessian JᵀJ with exact sparse Jacobians, `map` over
+SciPy's residuals and exact sensitivities are compiled C (SymPy's code, gcc -O3 -march=native -ffast-math, OpenMP over flights), Runge–Kutta of order 4 with two steps
+a sample, 0.5 µm from exact. CasADi: the same equations and steps, multiple shooting, IPOPT, Gauss-Newton Hessian JᵀJ with exact sparse Jacobians, `map` over
 intervals on all threads, no scaling or bounds. Unknowns are in units of our standard errors for both. In the second table ours left out {outliers} of 7260 marker positions as outliers.
 """
 
@@ -95,7 +94,7 @@ def contestants(results, what, than=None):
 def bars(results):
     rows = []
     pairings = [("the least squares alone, both", PROBLEM, PROBLEM), ("the same job, both", JOB, JOB), ("all of hyzer fit, their least squares alone", JOB, PROBLEM)]
-    for peer, name in (("casadi", "CasADi with IPOPT, multiple shooting, Gauss-Newton"), ("scipy", "scipy's least_squares, compiled right-hand side")):
+    for peer, name in (("casadi", "CasADi"), ("scipy", "SciPy")):
         for pairing, mine, theirs in pairings:
             bar = f"20 flights in at most 1/50 of {name}: {pairing}"
             if m := median(results, theirs, peer):
