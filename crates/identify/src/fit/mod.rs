@@ -223,17 +223,20 @@ impl Task<'_> {
         initial_guess::set_noise(&mut problem, &observed, summaries.observations());
         let noise_floor = observed.noise_floor;
         let floor_m = noise_floor.map(overall).or(observed.sigma0);
-        let (mut state, (mut cache, mut predicted_reduction)) = match fitted.is_empty() {
-            true => (
+        let guesses = match fitted.is_empty() {
+            true => None,
+            false => Some(initial_guess::from_guesses(
+                &problem, dataset, observed, options,
+            )?),
+        };
+        let started = clock.elapsed().as_secs_f64();
+        let (mut state, (mut cache, mut predicted_reduction)) = match guesses {
+            None => (
                 State::new(&problem, options, problem.model_values(), 1.0),
                 (ResidualCache::default(), None),
             ),
-            false => {
-                let guesses = initial_guess::from_guesses(&problem, dataset, observed, options)?;
-                from_guesses(dataset, guesses, doubtful)?
-            }
+            Some(guesses) => from_guesses(dataset, guesses, doubtful)?,
         };
-        let started = clock.elapsed().as_secs_f64();
         if !summaries.is_empty() {
             (cache, predicted_reduction) = (summaries.join(&mut state)?, None);
         }

@@ -9,6 +9,8 @@ mod noise_floor;
 mod series;
 mod smooth_misfit;
 
+use std::time::Instant;
+
 use flight::parallel;
 use model_spec::sort_by_number;
 
@@ -48,8 +50,13 @@ impl Fit {
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
     pub fn with_lack_of_fit(mut self, threads: usize) -> Result<Fit, FitError> {
+        let clock = Instant::now();
         self.report.lack_of_fit = LackOfFit::with_missing_term(&self, threads)?;
         self.report.assess();
+        let elapsed = clock.elapsed().as_secs_f64();
+        let seconds = &mut self.report.seconds;
+        seconds.insert("lack_of_fit".to_owned(), elapsed);
+        *seconds.entry("total".to_owned()).or_default() += elapsed;
         Ok(self)
     }
 }

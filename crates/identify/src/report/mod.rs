@@ -100,7 +100,7 @@ pub struct FitReport {
     pub residuals: BTreeMap<String, AxisResiduals>,
     /// Number of steps and convergence status of the least-squares iterations of the fit.
     pub iterations: Iterations,
-    /// Computing times, s: `start` up to the initial guesses, `fit`, and `total`.
+    /// Computing times, s: `start` up to the initial guesses, `fit`, `lack_of_fit` of the tests, and `total`.
     pub seconds: BTreeMap<String, f64>,
 }
 
