@@ -27,6 +27,9 @@ const FILTERED: f64 = 2.0;
 const CHORD: f64 = 0.25;
 /// Number of steps that refine the shift of the clock.
 const STEPS: usize = 4;
+/// Number of points by which paths are compared first, and size of their differences, in units of the noise of both, above
+/// which the paths are not of one throw. Throws of a machine are near each other, and many.
+const FIRST: (usize, f64) = (8, 3.0);
 
 /// Turns the later flight of each pair of near copies into a fault.
 pub fn reject(
@@ -160,7 +163,9 @@ fn are_copies(one: &Path<'_>, other: &Path<'_>) -> bool {
     ];
     let mut shifts = starts.into_iter().flatten();
     shifts.any(|shift| {
-        are_near(dense, sparse, shift) && share_noise(dense, sparse, refined(dense, sparse, shift))
+        are_near(dense, sparse, shift)
+            && are_close(dense, sparse, shift)
+            && share_noise(dense, sparse, refined((dense, sparse, 1), shift, STEPS))
     })
 }
 
@@ -204,11 +209,19 @@ fn are_near(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
     })
 }
 
-/// Shift of the clock at which the paths differ least.
-fn refined(dense: &Path<'_>, sparse: &Path<'_>, mut shift: f64) -> f64 {
-    for _ in 0..STEPS {
+/// Whether a few points differ by no more than noise may.
+fn are_close(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
+    let pair = (dense, sparse, (sparse.points.len() / FIRST.0).max(1));
+    let few = differences(pair, refined(pair, shift, 1));
+    let mut sizes = sizes(few.map(|(difference, _)| difference));
+    robust_sigma(&mut sizes) <= FIRST.1 * dense.noise.hypot(sparse.noise)
+}
+
+/// Shift of the clock at which the paths differ least, after some steps.
+fn refined(pair: Pair<'_>, mut shift: f64, steps: usize) -> f64 {
+    for _ in 0..steps {
         let (mut along, mut squares) = (0.0, 0.0);
-        for (difference, velocity) in differences(dense, sparse, shift) {
+        for (difference, velocity) in differences(pair, shift) {
             along += difference.dot(&velocity);
             squares += velocity.norm_squared();
         }
@@ -219,26 +232,32 @@ fn refined(dense: &Path<'_>, sparse: &Path<'_>, mut shift: f64) -> f64 {
     shift
 }
 
-/// Differences of the paths, dense − sparse, m, at the points of the sparse one with the clock shifted, and velocities,
-/// m/s, where the dense one has points around them.
-fn differences<'t>(
-    dense: &'t Path<'t>,
-    sparse: &'t Path<'t>,
+/// A dense and a sparse path, of which every so many points are compared.
+type Pair<'t> = (&'t Path<'t>, &'t Path<'t>, usize);
+
+/// Differences of the paths, dense − sparse, m, at points of the sparse one with the clock shifted, and velocities, m/s,
+/// where the dense one has points around them.
+fn differences(
+    (dense, sparse, every): Pair<'_>,
     shift: f64,
 ) -> impl Iterator<Item = (Vector3<f64>, Vector3<f64>)> {
     let longest = 3.0 * MAX_GAP * dense.interval;
     let points = dense.points;
-    sparse.points.iter().filter_map(move |point| {
-        let time = point.time + shift;
-        let next = points.partition_point(|own| own.time < time);
-        let around: Range<usize> = next.checked_sub(2)?..next + 2;
-        let four = points.get(around)?;
-        if four[3].time - four[0].time > longest {
-            return None;
-        }
-        let velocity = (four[2].position - four[1].position) / (four[2].time - four[1].time);
-        Some((cubic(four, time) - point.position, velocity))
-    })
+    sparse
+        .points
+        .iter()
+        .step_by(every)
+        .filter_map(move |point| {
+            let time = point.time + shift;
+            let next = points.partition_point(|own| own.time < time);
+            let around: Range<usize> = next.checked_sub(2)?..next + 2;
+            let four = points.get(around)?;
+            if four[3].time - four[0].time > longest {
+                return None;
+            }
+            let velocity = (four[2].position - four[1].position) / (four[2].time - four[1].time);
+            Some((cubic(four, time) - point.position, velocity))
+        })
 }
 
 /// Cubic in time through four points.
@@ -254,7 +273,7 @@ fn cubic(four: &[PathPoint], time: f64) -> Vector3<f64> {
 
 /// Whether the paths differ by less than independent noise, from sample to sample or, of a filtered one, slowly.
 fn share_noise(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
-    let all = differences(dense, sparse, shift).map(|(difference, _)| difference);
+    let all = differences((dense, sparse, 1), shift).map(|(difference, _)| difference);
     let all: Vec<Vector3<f64>> = all.collect();
     if all.len() < MIN_SERIES {
         return false;
@@ -265,11 +284,7 @@ fn share_noise(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
         variances[0].max(variances[1]),
         variances[0].min(variances[1]),
     ];
-    let mut sizes: Vec<f64> = all
-        .iter()
-        .flat_map(|own| [own.x.abs(), own.y.abs(), own.z.abs()])
-        .collect();
-    if robust_sigma(&mut sizes).powi(2) < limit {
+    if robust_sigma(&mut sizes(all.iter().copied())).powi(2) < limit {
         return true;
     }
     let is_filtered = greatest > FILTERED.powi(2) * least;
@@ -282,6 +297,12 @@ fn share_noise(dense: &Path<'_>, sparse: &Path<'_>, shift: f64) -> bool {
             let variance = squares.sum::<f64>() / (3 * count * block) as f64;
             count >= MIN_BLOCKS && variance < limit
         })
+}
+
+/// Absolute values of the coordinates.
+fn sizes(differences: impl Iterator<Item = Vector3<f64>>) -> Vec<f64> {
+    let each = differences.flat_map(|own| [own.x.abs(), own.y.abs(), own.z.abs()]);
+    each.collect()
 }
 
 #[cfg(test)]
@@ -305,6 +326,6 @@ mod tests {
         };
         let (dense, sparse) = (points(0.01, 0.0), points(0.02, 0.0137));
         let [dense, sparse] = [&dense, &sparse].map(|points| Path::new(points, 1e-3).unwrap());
-        assert!((refined(&dense, &sparse, 0.02) - 0.0137).abs() < 1e-6);
+        assert!((refined((&dense, &sparse, 1), 0.02, STEPS) - 0.0137).abs() < 1e-6);
     }
 }
