@@ -64,11 +64,18 @@ pub fn diagnose(
         options,
     })?;
     // Later fits reuse the data faults that the screening of the first fit found.
-    let faults = base.fit.report.data_faults.clone();
+    let report = &base.fit.report;
+    let faults = report.data_faults.clone();
+    // What makes up for a constant in another unit is no effect that the model lacks.
+    let deadline = match report.has_misstated_constant() {
+        true => Some(started),
+        false => options.fit.deadline,
+    };
     let options = &DiagnosisOptions {
         fit: FitOptions {
             known_faults: Some(&faults),
             trust_data: options.fit.trust_data || base.is_despite_faults,
+            deadline,
             ..options.fit
         },
         ..*options

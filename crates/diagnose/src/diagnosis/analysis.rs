@@ -216,7 +216,7 @@ impl<'a> Analysis<'a> {
         let is_out_of_time = context.is_out_of_time();
         let is_undecided = self.search.accepted.is_empty() || self.is_nearest_only;
         if is_out_of_time || (self.model.is_exhausted() && is_undecided) {
-            report::note_incomplete(&mut report, is_out_of_time);
+            report::note_incomplete(&mut report, &self.before.report, is_out_of_time);
         }
         if !is_out_of_time {
             report.proposed_throw = proposed_throw(&self.model, &self.search);
@@ -442,5 +442,18 @@ mod tests {
         assert!(!found.report.complete && found.after.is_none());
         let notes = found.report.notes.join(" ");
         assert!(notes.contains("the time given was over"), "{notes}");
+    }
+    #[test]
+    fn no_effect_makes_up_for_a_mass_in_grams() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let mut dataset = mystery(3);
+        *dataset.parameters.get_mut("m").unwrap() *= 1e3;
+        let found = diagnose(&model, &dataset, &DiagnosisOptions::default()).unwrap();
+        let report = found.report;
+        assert!(report.explanations.is_empty() && !report.reliable);
+        let notes = report.notes.join(" ");
+        assert!(notes.contains("a constant seems to be stated"), "{notes}");
+        let cautions = report.cautions.join(" ");
+        assert!(cautions.contains("m is stated as"), "{cautions}");
     }
 }

@@ -195,11 +195,13 @@ pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
     ));
 }
 
-pub(crate) fn note_incomplete(report: &mut Report, is_out_of_time: bool) {
+/// Notes that the search for what the fit `before` lacks ended early, and why.
+pub(crate) fn note_incomplete(report: &mut Report, before: &FitReport, is_out_of_time: bool) {
     report.complete = false;
-    let why = match is_out_of_time {
-        true => "the time given was over",
-        false => "it took as many steps as a search may",
+    let why = match (before.has_misstated_constant(), is_out_of_time) {
+        (true, _) => "a constant seems to be stated in another unit",
+        (false, true) => "the time given was over",
+        (false, false) => "it took as many steps as a search may",
     };
     report.notes.push(format!(
         "the search was not completed, since {why}: this is the best answer until then"

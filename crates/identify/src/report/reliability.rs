@@ -52,6 +52,12 @@ impl FitReport {
         self.cautions.iter().filter(is_constant)
     }
 
+    /// Whether the model does not fly as the flights do, and a constant seems to be stated in another unit.
+    #[doc(hidden)]
+    pub fn has_misstated_constant(&self) -> bool {
+        self.is_above_noise() && self.doubtful_constants().next().is_some()
+    }
+
     /// Sentences on priors that the data contradict, each with the number of standard deviations: without the prior, χ²
     /// falls by its square.
     #[doc(hidden)]
