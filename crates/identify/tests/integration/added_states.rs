@@ -1,7 +1,7 @@
 //! What an effect adds: states, of each flight its own and found with its initial state, and coefficients of what is observed.
 
+use crate::support::release;
 use dataset::synthesize::{Corruption, Plan, flights};
-use flight::release::{Vocabulary, built_in, read};
 use identify::{FitOptions, fit};
 
 const GUST: &str = "
@@ -20,8 +20,7 @@ fn the_wind_of_each_flight_is_found() {
     let ball = model_spec::load::MODELS.iter().find(|m| m.0 == "ball");
     let text = ball.expect("built in").1.to_owned() + GUST;
     let model = model_spec::load::from_text("ball.hyz", &text, &["gust"]).expect("a model");
-    let serve = built_in("serve").expect("built in");
-    let release = read("serve", serve, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let release = release("serve", &model);
     let plan = Plan {
         flights: 4,
         noise: Corruption {
@@ -60,8 +59,7 @@ fn a_coefficient_of_the_observation_alone_is_estimated() {
     let text = ball.expect("built in").1.to_owned() + SCALE;
     let model = |text: &str| model_spec::load::from_text("ball.hyz", text, &["longer"]);
     let longer = model(&text.replace("b = 0", "b = 0.03")).expect("a model");
-    let serve = built_in("serve").expect("built in");
-    let release = read("serve", serve, |_| Ok(Vocabulary::of(&longer))).expect("a release");
+    let release = release("serve", &longer);
     let plan = Plan {
         flights: 3,
         noise: Corruption {

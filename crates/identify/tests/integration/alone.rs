@@ -1,16 +1,15 @@
 //! The least squares alone come back to where the whole fit had ended.
 
+use crate::support::release;
 use dataset::Role;
 use dataset::synthesize::{Corruption, Plan, flights};
-use flight::release::{Vocabulary, built_in, read};
 use identify::{Estimate, Fit, FitError, FitOptions, fit};
 use nalgebra::DVector;
 
 /// Fit of the disc model to simulated flights with outliers; the last flight is held out.
 fn fitted() -> Fit {
     let model = model_spec::load::load("disc", &[]).expect("built in");
-    let backhand = built_in("backhand").expect("built in");
-    let release = read("backhand", backhand, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let release = release("backhand", &model);
     let plan = Plan {
         flights: 5,
         held_out: 1,

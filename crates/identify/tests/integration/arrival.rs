@@ -2,16 +2,16 @@
 
 use std::time::Instant;
 
+use crate::support::release;
 use dataset::synthesize::{Plan, flights};
 use dataset::{Dataset, Role};
-use flight::release::{Release, Vocabulary, built_in, read};
+use flight::release::Release;
 use identify::{FitOptions, FitStatus, FlightOutcome, fit};
 use model_spec::model::Model;
 
 fn released(effects: &[&str], changed: &[(&str, f64)]) -> (Model, Model, Release) {
     let base = model_spec::load::load("disc", &[]).expect("a model");
-    let text = built_in("backhand").expect("built in");
-    let release = read("backhand", text, |_| Ok(Vocabulary::of(&base))).expect("a release");
+    let release = release("backhand", &base);
     let model = model_spec::load::load("disc", effects).expect("effects");
     let mut truth = model.clone();
     for (name, value) in changed {

@@ -1,14 +1,13 @@
 //! The bootstrap over flights against the standard errors of the fit.
 
+use crate::support::release;
 use dataset::synthesize::{Corruption, Plan, flights};
-use flight::release::{Vocabulary, built_in, read};
 use identify::{FitOptions, fit};
 
 #[test]
 fn its_scatter_is_the_cluster_robust_standard_error() {
     let model = model_spec::load::load("ball", &[]).expect("built in");
-    let serve = built_in("serve").expect("built in");
-    let release = read("serve", serve, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let release = release("serve", &model);
     let plan = Plan {
         flights: 40,
         noise: Corruption {

@@ -3,10 +3,10 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use dataset::synthesize::{Plan, flights};
-use flight::release::{Vocabulary, built_in, read};
 use identify::{CancellationToken, FitError, FitOptions, Progress, fit};
 use model_spec::compose::Instrument;
 
+use crate::support::release;
 use crate::units_of_readings::{readings, with_readings};
 
 /// Cancels after a number of flights, and counts those that are done.
@@ -30,8 +30,7 @@ impl Progress for CancelAfter {
 #[test]
 fn a_fit_that_is_cancelled_at_any_flight_ends_as_interrupted() {
     let model = model_spec::load::load("disc", &[]).expect("built in");
-    let text = built_in("backhand").expect("built in");
-    let release = read("backhand", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let release = release("backhand", &model);
     let plan = Plan {
         flights: 2,
         duration: Some(0.4),

@@ -2,15 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use crate::support::release;
 use dataset::synthesize::{Plan, flights};
 use dataset::{KnownValue, Marker};
 use identify::{FitError, FitOptions, FlightError, fit};
 
 fn made(model: &str, name: &str, plan: &Plan) -> (model_spec::model::Model, dataset::Dataset) {
     let model = model_spec::load::load(model, &[]).expect("a model");
-    let text = flight::release::built_in(name).expect("a release");
-    let known = |_: &str| Ok(flight::release::Vocabulary::of(&model));
-    let mut release = flight::release::read(name, text, known).expect("readable");
+    let mut release = release(name, &model);
     release.stop = flight::release::Stop::Duration(0.5);
     let made = flights(&model, &[release], plan).expect("flights");
     (model, made.dataset)
@@ -76,9 +75,7 @@ fn cautions_of_spinning_balls(x: f64) -> Vec<String> {
     lift.expect("the lift by the spin").value = 0.8;
     let omega = model.inputs.iter_mut().find(|own| own.name == "omega");
     omega.expect("the spin").value = [0.0, 0.0, 250.0];
-    let text = flight::release::built_in("serve").expect("a release");
-    let known = |_: &str| Ok(flight::release::Vocabulary::of(&model));
-    let release = flight::release::read("serve", text, known).expect("readable");
+    let release = release("serve", &model);
     let plan = Plan {
         flights: 4,
         ..Plan::default()

@@ -17,4 +17,5 @@ mod screening;
 mod single_flights;
 mod stated_constants;
 mod summaries;
+mod support;
 mod units_of_readings;

@@ -1,5 +1,6 @@
 //! Markers of which one is far noisier than the others.
 
+use crate::support::release;
 use dataset::synthesize::{Corruption, Plan, flights};
 use dataset::{Dataset, Marker};
 use identify::{FitOptions, fit};
@@ -13,9 +14,7 @@ const NOISE: (f64, f64) = (0.0005, 0.005);
 
 fn discs(seed: u64) -> (Model, Dataset) {
     let model = model_spec::load::load("disc", &[]).expect("a model");
-    let text = flight::release::built_in("backhand").expect("a release");
-    let known = |_: &str| Ok(flight::release::Vocabulary::of(&model));
-    let release = flight::release::read("backhand", text, known).expect("readable");
+    let release = release("backhand", &model);
     let plan = Plan {
         flights: 4,
         duration: Some(0.8),

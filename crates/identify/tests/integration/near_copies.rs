@@ -1,5 +1,6 @@
 //! Flights that are near copies of others in the same dataset.
 
+use crate::support::release;
 use dataset::synthesize::{Corruption, Plan, Spread, flights};
 use dataset::{Dataset, Flight};
 use identify::{FitOptions, fit};
@@ -7,9 +8,7 @@ use model_spec::model::Model;
 
 fn made(model: &str, name: &str, plan: &Plan) -> (Model, Dataset) {
     let model = model_spec::load::load(model, &[]).expect("a model");
-    let text = flight::release::built_in(name).expect("a release");
-    let known = |_: &str| Ok(flight::release::Vocabulary::of(&model));
-    let release = flight::release::read(name, text, known).expect("readable");
+    let release = release(name, &model);
     let made = flights(&model, &[release], plan).expect("flights");
     (model, made.dataset)
 }

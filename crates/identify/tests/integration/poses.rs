@@ -1,9 +1,9 @@
 //! Lack of fit of poses, whose positions show the spin only where they are not those of the mass centre.
 
+use crate::support::release;
 use dataset::pose::pose;
 use dataset::synthesize::{Plan, flights};
 use dataset::{Dataset, Sensor, SensorKind};
-use flight::release::{Vocabulary, built_in, read};
 use identify::{FitError, FitOptions, fit};
 use model_spec::model::Model;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -12,8 +12,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// about the vertical, rad.
 fn tracked(model: &Model, beside: Vector3<f64>, turned: f64) -> Dataset {
     let turn = UnitQuaternion::from_scaled_axis(Vector3::z() * turned);
-    let text = built_in("backhand").expect("built in");
-    let release = read("backhand", text, |_| Ok(Vocabulary::of(model))).expect("a release");
+    let release = release("backhand", model);
     let plan = Plan {
         flights: 4,
         duration: Some(0.7),

@@ -1,17 +1,16 @@
 //! Readings rounded to coarse steps, whose scatter does not show their errors.
 
 use dataset::synthesize::{Plan, flights};
-use flight::release::{Vocabulary, built_in, read};
 use identify::{FitOptions, fit};
 use model_spec::compose::Instrument;
 
+use crate::support::release;
 use crate::units_of_readings::{readings, with_readings};
 
 #[test]
 fn rounded_readings_do_not_outweigh_the_markers() {
     let model = model_spec::load::load("disc", &[]).expect("built in");
-    let text = built_in("backhand").expect("built in");
-    let release = read("backhand", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let release = release("backhand", &model);
     let plan = Plan {
         flights: 4,
         duration: Some(0.6),

@@ -1,10 +1,11 @@
 //! Screening with the model of a fit: distances that an estimated parameter changes are not compared, and mirrored axes are
 //! told where the model describes the mirror image better.
 
+use crate::support::release;
 use dataset::screening::{Body, marker_pairs, screen};
 use dataset::synthesize::{Corruption, Plan, flights};
 use dataset::{DataFault, Dataset, FaultKind, Flight};
-use flight::release::{Stop, Vocabulary, built_in, read};
+use flight::release::Stop;
 use identify::{FitOptions, FitProblem, fit};
 use model_spec::load::load;
 use model_spec::model::Model;
@@ -14,8 +15,7 @@ type Spoil = fn(&mut Flight);
 /// Flights of a disc.
 fn disc(seed: u64, noise: Corruption) -> (Model, Dataset) {
     let model = load("disc", &[]).expect("built in");
-    let text = built_in("backhand").expect("built in");
-    let mut release = read("backhand", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let mut release = release("backhand", &model);
     release.stop = Stop::Duration(1.0);
     let plan = Plan {
         flights: 10,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dataset::synthesize::{Corruption, Plan, Spread, flights};
 use dataset::{Dataset, KnownValue};
-use flight::release::{Release, Stop, Vocabulary, built_in, read};
+use flight::release::{Release, Stop};
 use flight::{InputInterpolation, InputSeries};
 use identify::{FitOptions, FitReport, fit};
 use model_spec::model::Model;
@@ -369,8 +369,7 @@ fn a_constant_that_the_dataset_sets_may_be_unknown_in_a_flight() {
 /// Flights of a ball with lift by spin, whose spins differ, and the spins.
 fn spinning() -> (Model, Dataset, Vec<[f64; 3]>) {
     let model = model_spec::load::load("ball", &["magnus"]).expect("a ball");
-    let text = built_in("serve").expect("a release");
-    let serve = read("serve", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let serve = crate::support::release("serve", &model);
     let spins: Vec<[f64; 3]> = (0..8)
         .map(f64::from)
         .map(|k| {

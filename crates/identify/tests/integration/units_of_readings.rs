@@ -3,9 +3,9 @@
 
 use std::cell::RefCell;
 
+use crate::support::release;
 use dataset::synthesize::{Corruption, Plan, flights};
 use dataset::{Dataset, Sensor, SensorKind};
-use flight::release::{Vocabulary, built_in, read};
 use identify::{DataFault, FitError, FitOptions, FlightId, fit};
 use model_spec::compose::Instrument;
 use model_spec::model::Model;
@@ -50,8 +50,7 @@ pub fn readings(model: &Model, dataset: &Dataset, instrument: Instrument) -> Vec
 #[test]
 fn an_accelerometer_in_g_is_named_where_only_the_fit_tells() {
     let model = model_spec::load::load("disc", &[]).expect("built in");
-    let text = built_in("backhand").expect("built in");
-    let release = read("backhand", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let release = release("backhand", &model);
     let plan = Plan {
         flights: 3,
         duration: Some(0.6),
@@ -90,8 +89,7 @@ fn an_accelerometer_in_g_is_named_where_only_the_fit_tells() {
 #[test]
 fn exchanged_axes_of_a_gyroscope_are_named_where_the_rates_about_them_are_small() {
     let model = model_spec::load::load("disc", &[]).expect("built in");
-    let text = built_in("backhand").expect("built in");
-    let release = read("backhand", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let release = release("backhand", &model);
     for rate in [30.0, 120.0] {
         let plan = Plan {
             flights: 4,
@@ -133,8 +131,7 @@ fn exchanged_axes_of_a_gyroscope_are_named_where_the_rates_about_them_are_small(
 #[test]
 fn a_late_gyroscope_is_told_and_not_its_axes() {
     let model = model_spec::load::load("disc", &[]).expect("built in");
-    let text = built_in("backhand").expect("built in");
-    let release = read("backhand", text, |_| Ok(Vocabulary::of(&model))).expect("a release");
+    let release = release("backhand", &model);
     let plan = Plan {
         flights: 4,
         duration: Some(1.2),
