@@ -114,19 +114,14 @@ fn chord(points: &[PathPoint], index: usize) -> Chord {
     let first = &points[index];
     let later = &points[index + within_chord(&points[index..])..];
     let along = later.first().map(|then| then.position - first.position);
-    let along = along.unwrap_or(Vector3::repeat(f64::NAN));
-    std::array::from_fn(|k| {
-        if k < 3 {
-            first.position[k]
-        } else {
-            along[k - 3]
-        }
-    })
+    let (at, along) = (first.position, along.unwrap_or(Vector3::repeat(f64::NAN)));
+    [at.x, at.y, at.z, along.x, along.y, along.z]
 }
 
-/// Number of the points within [`CHORD`] of the first one.
+/// Number of the points within [`CHORD`] of the first one, which is always one of them.
 fn within_chord(points: &[PathPoint]) -> usize {
-    points.partition_point(|point| point.time < points[0].time + CHORD)
+    let within = points.partition_point(|point| point.time - points[0].time < CHORD);
+    within.max(1)
 }
 
 fn pieces(points: &[PathPoint]) -> Vec<Piece> {
@@ -327,5 +322,20 @@ mod tests {
         let (dense, sparse) = (points(0.01, 0.0), points(0.02, 0.0137));
         let [dense, sparse] = [&dense, &sparse].map(|points| Path::new(points, 1e-3).unwrap());
         assert!((refined((&dense, &sparse, 1), 0.02, STEPS) - 0.0137).abs() < 1e-6);
+    }
+
+    #[test]
+    fn clocks_of_any_size_have_pieces() {
+        for (start, interval) in [(0.0, 0.01), (1.7e18, 1e6), (-1e300, f64::INFINITY)] {
+            let each = (0..40).map(|sample| PathPoint {
+                sample,
+                time: start + interval * sample as f64,
+                position: Vector3::zeros(),
+                attitude: None,
+            });
+            let points: Vec<PathPoint> = each.collect();
+            let pieces = pieces(&points);
+            assert_eq!(pieces.last().map(|piece| piece.points.end), Some(40));
+        }
     }
 }
