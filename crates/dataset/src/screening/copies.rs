@@ -66,7 +66,6 @@ pub fn reject(
 }
 
 /// Points of a path, with their usual interval, s, the noise of a coordinate, m, and the longest step between two, m.
-#[derive(Clone)]
 struct Path<'t> {
     points: &'t [PathPoint],
     interval: f64,
@@ -81,7 +80,6 @@ struct Path<'t> {
 type Chord = [f64; 6];
 
 /// Points of a path within [`CHORD`], with the bounds of their chords, m, of those that are known.
-#[derive(Clone)]
 struct Piece {
     points: Range<usize>,
     low: Chord,

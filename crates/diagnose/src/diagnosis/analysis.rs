@@ -443,6 +443,7 @@ mod tests {
         let notes = found.report.notes.join(" ");
         assert!(notes.contains("the time given was over"), "{notes}");
     }
+
     #[test]
     fn no_effect_makes_up_for_a_mass_in_grams() {
         let model = model_spec::load::load("disc", &[]).unwrap();

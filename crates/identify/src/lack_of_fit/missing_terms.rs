@@ -50,7 +50,7 @@ struct Reduced {
 }
 
 /// What a term may follow, with its name.
-struct Source {
+pub(super) struct Source {
     name: String,
     kind: SourceKind,
 }
@@ -65,7 +65,7 @@ enum SourceKind {
 
 impl Source {
     /// The time, the model's scalars and its states.
-    fn all(problem: &FitProblem) -> Vec<Self> {
+    pub fn all(problem: &FitProblem) -> Vec<Self> {
         let layout = problem.body.layout();
         let source = |name: &str, kind| Self {
             name: name.to_owned(),
@@ -93,26 +93,21 @@ impl Source {
     }
 }
 
-/// Values of each [`Source`] at each sample of a flight, or at one of `every`.
+/// Values of each source at each sample of a flight, or at one of `every`.
 pub(super) fn compared(
-    problem: &FitProblem,
+    sources: &[Source],
     evidence: &FlightEvidence,
     every: usize,
 ) -> Vec<Vec<f64>> {
-    let samples = (0..evidence.times.len()).step_by(every);
-    let value = |source: &Source, sample: usize| {
-        let quantities = &evidence.quantities[sample];
-        source.value(evidence.times[sample], quantities, &evidence.states[sample])
+    let values = |source: &Source| {
+        let samples = (0..evidence.times.len()).step_by(every);
+        let value = |sample: usize| {
+            let quantities = &evidence.quantities[sample];
+            source.value(evidence.times[sample], quantities, &evidence.states[sample])
+        };
+        samples.map(value).collect()
     };
-    let sources = Source::all(problem).into_iter();
-    sources
-        .map(|source| {
-            samples
-                .clone()
-                .map(|sample| value(&source, sample))
-                .collect()
-        })
-        .collect()
+    sources.iter().map(values).collect()
 }
 
 /// A quantity that a term may follow, less its mean, over its standard deviation.

@@ -14,7 +14,7 @@ use std::time::Instant;
 use flight::parallel;
 use model_spec::sort_by_number;
 
-use self::missing_terms::{MAX_COMPARED, compared};
+use self::missing_terms::{MAX_COMPARED, Source, compared};
 use self::noise_floor::{FlightSeries, NoiseFloor};
 use self::series::{Series, SplineBasis};
 use self::smooth_misfit::{FlightMisfit, ScaledStatistic, greatest_misfit, least_p};
@@ -206,6 +206,7 @@ impl<'f> FittedFlight<'f> {
         let fitted: Vec<_> = fitted.collect();
         let samples = fitted.iter().map(|(observed, _)| observed.times.len());
         let every = samples.sum::<usize>().div_ceil(MAX_COMPARED).max(1);
+        let sources = Source::all(fit.problem());
         let flights = parallel::each_on(threads, fitted.len(), |index| {
             let (observed, id) = fitted[index];
             let evidence = fit.evidence(id)?;
@@ -213,7 +214,7 @@ impl<'f> FittedFlight<'f> {
                 observed,
                 id,
                 residuals: residuals(fit, observed, &evidence),
-                compared: compared(fit.problem(), &evidence, every),
+                compared: compared(&sources, &evidence, every),
             })
         });
         flights.into_iter().flatten().collect()
